@@ -1,0 +1,176 @@
+#include "control/controller.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "control/heading_controller.h"
+#include "control/motion_limits.h"
+#include "control/path_follower.h"
+
+namespace regista {
+namespace {
+
+void require_finite(double value, RobotId robot, const char* what) {
+  if (std::isfinite(value)) return;
+  throw std::invalid_argument("Controller: " + std::string(what) + " of " + to_string(robot) + " is " +
+                              std::to_string(value));
+}
+
+void require_finite(const Vec2& value, RobotId robot, const char* what) {
+  require_finite(value.x(), robot, what);
+  require_finite(value.y(), robot, what);
+}
+
+void check(const RobotState& robot) {
+  require_finite(robot.pose.position_m, robot.id, "position");
+  require_finite(robot.pose.heading_rad, robot.id, "heading");
+  require_finite(robot.twist.velocity_mps, robot.id, "velocity");
+  require_finite(robot.twist.angular_radps, robot.id, "turning rate");
+}
+
+void check(const RobotPlan& plan) {
+  for (const Vec2& point : plan.plan.path) require_finite(point, plan.robot, "path");
+  require_finite(plan.target.pose.heading_rad, plan.robot, "target heading");
+  require_finite(plan.target.speed_max_mps, plan.robot, "target speed limit");
+}
+
+/// The time to count with: longer pauses must not make commands jump.
+double period(double dt_s, double period_max_s) {
+  if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
+    throw std::invalid_argument("Controller: dt_s must be positive and finite, is " + std::to_string(dt_s));
+  }
+  return std::min(dt_s, period_max_s);
+}
+
+/// The team's plans by robot number, checked.
+std::map<std::uint16_t, const RobotPlan*> plans_of(Team team, std::span<const RobotPlan> plans) {
+  std::map<std::uint16_t, const RobotPlan*> by_robot;
+  for (const RobotPlan& plan : plans) {
+    check(plan);
+    if (plan.robot.team == team && !by_robot.emplace(plan.robot.number, &plan).second) {
+      throw std::invalid_argument("Controller: two plans for " + to_string(plan.robot));
+    }
+  }
+  return by_robot;
+}
+
+/// A plan that does not reach the goal still leads as near as is known, so it is driven too.
+bool can_be_driven(const RobotPlan& plan) { return plan.plan.status != PlanStatus::invalid && !plan.plan.path.empty(); }
+
+/// What the plan asks the robot to do next.
+Twist wanted_twist(const RobotPlan& plan, const Pose& pose, const Twist& present, const ControlParams& params,
+                   double dt_s) {
+  RobotLimits limits = params.limits;
+  limits.speed_max_mps = std::clamp(plan.target.speed_max_mps, 0.0, limits.speed_max_mps);
+  return {
+      follow_path(plan.plan.path, pose.position_m, present.velocity_mps, limits, params.follower, dt_s),
+      wanted_rate(pose.heading_rad, present.angular_radps, plan.target.pose.heading_rad, limits, params.heading, dt_s)};
+}
+
+}  // namespace
+
+Controller::Controller(Team team, const ControlParams& params) : team_(team), params_(params), wheels_(params.wheels) {}
+
+void Controller::set_params(const ControlParams& params) {
+  wheels_ = OmniWheels(params.wheels);
+  params_ = params;
+}
+
+/// The last command is what the robot does, delays aside, and carries no noise of vision, while the estimate would feed
+/// its noise back. So it is the present motion wherever the estimate does not contradict it. A robot that was hit, is
+/// held or was put elsewhere contradicts it: there the last command is drawn towards the estimate as far as is
+/// plausible, which at the border of "plausible" is no jump. A robot seen first moves as estimated.
+Controller::Motion Controller::present_motion(const RobotState& robot) const {
+  const auto last = last_.find(robot.id.number);
+  const double speed_max = params_.limits.speed_max_mps;
+  const double rate_max = params_.limits.angular_speed_max_radps;
+  if (last == last_.end()) {
+    return {
+        {clamped_norm(robot.twist.velocity_mps, speed_max), std::clamp(robot.twist.angular_radps, -rate_max, rate_max)},
+        robot.pose.heading_rad};
+  }
+  const Twist& told = last->second.twist;
+  const Vec2 error = told.velocity_mps - robot.twist.velocity_mps;
+  const double rate_error = told.angular_radps - robot.twist.angular_radps;
+  const double rate_error_max = params_.plausible_angular_error_radps;
+  // Drawing must not make a command faster than the robot may be; one that is because its limit was lowered slows down.
+  const double speed_cap = std::max(speed_max, told.velocity_mps.norm());
+  const double rate_cap = std::max(rate_max, std::abs(told.angular_radps));
+  Motion motion{told, robot.pose.heading_rad};
+  if (error.norm() > params_.plausible_speed_error_mps) {
+    motion.twist.velocity_mps =
+        clamped_norm(robot.twist.velocity_mps + clamped_norm(error, params_.plausible_speed_error_mps), speed_cap);
+  }
+  if (std::abs(rate_error) > rate_error_max) {
+    const double drawn = robot.twist.angular_radps + std::clamp(rate_error, -rate_error_max, rate_error_max);
+    motion.twist.angular_radps = std::clamp(drawn, -rate_cap, rate_cap);
+  }
+  return motion;
+}
+
+/// Limits the wanted motion against the present one, which becomes what is commanded, and converts.
+RobotCommand Controller::command(std::uint16_t robot, Motion& motion, const Twist& wanted, double dt_s) const {
+  Twist& twist = motion.twist;
+  twist.velocity_mps = limited_velocity(twist.velocity_mps, wanted.velocity_mps, params_.limits, dt_s);
+  twist.angular_radps = limited_rate(twist.angular_radps, wanted.angular_radps, params_.limits, dt_s);
+  // The robot holds a velocity in its own frame and turns meanwhile: half the turn later is the period's mean.
+  const double mean_heading_rad = motion.heading_rad + twist.angular_radps * dt_s / 2.0;
+  RobotCommand out;
+  out.robot = robot;
+  out.velocity = to_body(twist, mean_heading_rad);
+  out.wheel_speeds_radps = wheels_.speeds(out.velocity);
+  const double scale = wheels_.scale_to_limit(out.wheel_speeds_radps);
+  if (scale < 1.0) {
+    twist = {scale * twist.velocity_mps, scale * twist.angular_radps};
+    out.velocity = to_body(twist, mean_heading_rad);
+    for (double& speed : out.wheel_speeds_radps) speed *= scale;
+  }
+  return out;
+}
+
+TeamCommands Controller::begin(const WorldState* world) {
+  TeamCommands out;
+  out.team = team_;
+  out.sequence = ++sequence_;
+  if (world != nullptr) {
+    out.captured = world->captured;
+    out.world_sequence = world->sequence;
+  }
+  return out;
+}
+
+TeamCommands Controller::update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s) {
+  const double period_s = period(dt_s, params_.period_max_s);
+  const auto plan_of = plans_of(team_, plans);
+  for (const RobotState& robot : world.robots) check(robot);
+
+  TeamCommands out = begin(&world);
+  std::map<std::uint16_t, Motion> next;
+  for (const RobotState& robot : world.robots) {
+    if (robot.id.team != team_) continue;
+    Motion motion = present_motion(robot);
+    const auto plan = plan_of.find(robot.id.number);
+    const Twist wanted = plan != plan_of.end() && can_be_driven(*plan->second)
+                             ? wanted_twist(*plan->second, robot.pose, motion.twist, params_, period_s)
+                             : Twist{};
+    out.commands.push_back(command(robot.id.number, motion, wanted, period_s));
+    next.emplace_hint(next.end(), robot.id.number, motion);
+  }
+  last_ = std::move(next);
+  return out;
+}
+
+TeamCommands Controller::brake(const WorldState* last_world, double dt_s) {
+  const double period_s = period(dt_s, params_.period_max_s);
+  TeamCommands out = begin(last_world);
+  for (auto& [robot, motion] : last_) {
+    // Nobody sees the robot: it has turned as it was told.
+    motion.heading_rad = wrap_angle(motion.heading_rad + motion.twist.angular_radps * period_s);
+    out.commands.push_back(command(robot, motion, Twist{}, period_s));
+  }
+  return out;
+}
+
+}  // namespace regista

@@ -1,0 +1,56 @@
+// One team's controller: world state and plans in, velocity commands out. Per robot: follow the path, turn to the
+// target's heading, limit the change against the last command, convert to the body and its wheels.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+
+#include "control/control_params.h"
+#include "control/velocity_command.h"
+#include "planning/plan.h"
+#include "world_model/types/world_state.h"
+
+namespace regista {
+
+class Controller {
+ public:
+  /// Throws std::invalid_argument when the wheels of the params make no robot.
+  Controller(Team team, const ControlParams& params);
+
+  /// From the next command on; what was commanded stays remembered, so nothing jumps.
+  void set_params(const ControlParams& params);
+
+  /// Commands for every robot of the team in the world state. `plans`: at most one per robot, stale ones left out by
+  /// the caller; plans of other robots are ignored. A robot without plan, or with one that is invalid or has no path,
+  /// brakes at its limit. dt_s > 0 is the time since the last call.
+  ///
+  /// Between two calls a command changes by no more than the limits allow in dt_s, whatever happens to plans; only a
+  /// robot whose estimated motion is implausibly far from its last command is picked up where it is, and a wheel limit
+  /// below the body's limits cuts at once. Throws std::invalid_argument, with nothing remembered, on numbers that are
+  /// not finite, two plans for a robot, or dt_s <= 0.
+  TeamCommands update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s);
+
+  /// The commands while no fresh world state comes: every robot that was commanded last brakes straight ahead, its
+  /// heading carried on from the last command. last_world gives stamp and sequence, nullptr where there never was one.
+  TeamCommands brake(const WorldState* last_world, double dt_s);
+
+ private:
+  /// What a robot was told last, field frame.
+  struct Motion {
+    Twist twist;
+    double heading_rad = 0.0;  ///< where it looked when the command began to act
+  };
+
+  Motion present_motion(const RobotState& robot) const;
+  RobotCommand command(std::uint16_t robot, Motion& motion, const Twist& wanted, double dt_s) const;
+  TeamCommands begin(const WorldState* world);
+
+  Team team_;
+  ControlParams params_;
+  OmniWheels wheels_;
+  std::uint64_t sequence_ = 0;
+  std::map<std::uint16_t, Motion> last_;  ///< by robot number
+};
+
+}  // namespace regista

@@ -1,0 +1,49 @@
+#include "control/wheels.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace regista {
+
+OmniWheels::OmniWheels(const WheelGeometry& geometry) : speed_max_radps_(geometry.wheel_speed_max_radps) {
+  const std::array<double, 4> bearings{geometry.front_bearing_rad, geometry.rear_bearing_rad,
+                                       -geometry.rear_bearing_rad, -geometry.front_bearing_rad};
+  for (int i = 0; i < 4; ++i) {
+    // A hub at bearing β moves with v + ω × r; the wheel drives along the tangent (−sin β, cos β), its rollers let the
+    // rest slip.
+    const double bearing = bearings[static_cast<std::size_t>(i)];
+    to_wheels_.row(i) << -std::sin(bearing), std::cos(bearing), geometry.hub_radius_m;
+  }
+  to_wheels_ /= geometry.wheel_radius_m;
+  const Eigen::Matrix3d normal = to_wheels_.transpose() * to_wheels_;
+  if (!(geometry.wheel_radius_m > 0.0 && geometry.hub_radius_m > 0.0 && speed_max_radps_ > 0.0 &&
+        normal.fullPivLu().rcond() > 1e-9)) {
+    throw std::invalid_argument("OmniWheels: bearings " + std::to_string(geometry.front_bearing_rad) + " and " +
+                                std::to_string(geometry.rear_bearing_rad) + " rad, hub radius " +
+                                std::to_string(geometry.hub_radius_m) + " m, wheel radius " +
+                                std::to_string(geometry.wheel_radius_m) + " m, limit " +
+                                std::to_string(speed_max_radps_) + " rad/s do not make a robot that can move");
+  }
+  to_body_ = normal.inverse() * to_wheels_.transpose();
+}
+
+WheelSpeeds OmniWheels::speeds(const BodyVelocity& body) const {
+  const Eigen::Vector4d wheels = to_wheels_ * Eigen::Vector3d(body.forward_mps, body.left_mps, body.angular_radps);
+  return {wheels[0], wheels[1], wheels[2], wheels[3]};
+}
+
+BodyVelocity OmniWheels::velocity(const WheelSpeeds& wheels) const {
+  const Eigen::Vector3d body = to_body_ * Eigen::Vector4d(wheels[0], wheels[1], wheels[2], wheels[3]);
+  return {body[0], body[1], body[2]};
+}
+
+double OmniWheels::scale_to_limit(const WheelSpeeds& wheels) const {
+  double fastest = 0.0;
+  for (const double speed : wheels) fastest = std::max(fastest, std::abs(speed));
+  return fastest > speed_max_radps_ ? speed_max_radps_ / fastest : 1.0;
+}
+
+}  // namespace regista

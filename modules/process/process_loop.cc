@@ -1,0 +1,89 @@
+#include "modules/process/process_loop.h"
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+
+namespace regista {
+namespace {
+
+constexpr Duration kReportEvery = std::chrono::seconds(1);
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "?";
+}
+
+/// The element below which that share of the sorted list lies; 0 where it is empty.
+std::int64_t percentile(const std::vector<std::int64_t>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  const auto last = static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(share * last + 0.5)];
+}
+
+}  // namespace
+
+ProcessLoop::ProcessLoop(Module& module, Bus& bus, Stopwatch stopwatch)
+    : module_(module),
+      bus_(bus),
+      stopwatch_(std::move(stopwatch)),
+      host_(host_name()),
+      started_(bus.now()),
+      reported_(started_) {}
+
+void ProcessLoop::step(Duration max_wait) {
+  const Time now = bus_.now();
+  Duration wait = std::min(max_wait, reported_ + kReportEvery - now);
+  if (const auto due = module_.due()) wait = std::min(wait, *due - now);
+  if (bus_.handle(wait)) {
+    while (bus_.handle(Duration::zero())) {
+    }
+  }
+  const Time tick_at = bus_.now();
+  const auto due = module_.due();
+  if (module_.ready() || (due && tick_at >= *due)) {
+    const std::int64_t begin_ns = stopwatch_();
+    module_.tick(tick_at);
+    tick_times_ns_.push_back(stopwatch_() - begin_ns);
+  }
+  report_refusal();
+  report_if_due();
+}
+
+void ProcessLoop::report_refusal() {
+  const Reception reception = bus_.reception();
+  if (reception.refused == refusals_logged_) return;
+  // The first, then at every doubling: a babbling neighbour must not fill the disk.
+  if (reception.refused >= 2 * refusals_logged_) {
+    spdlog::warn("{}: {} ({} refused so far)", module_.name(), reception.last_refusal, reception.refused);
+    refusals_logged_ = reception.refused;
+  }
+}
+
+void ProcessLoop::report_if_due() {
+  const Time now = bus_.now();
+  if (now - reported_ < kReportEvery) return;
+  std::sort(tick_times_ns_.begin(), tick_times_ns_.end());
+  const Reception reception = bus_.reception();
+  ModuleStatus status;
+  status.sent = now;
+  status.module = module_.name();
+  status.host = host_;
+  status.pid = getpid();
+  status.uptime = now - started_;
+  status.rate_hz = static_cast<double>(tick_times_ns_.size()) / to_seconds(now - reported_);
+  status.tick_p50_ns = percentile(tick_times_ns_, 0.50);
+  status.tick_p99_ns = percentile(tick_times_ns_, 0.99);
+  status.received = reception.received;
+  status.skipped = reception.skipped;
+  status.refused = reception.refused;
+  status.parameters_fingerprint = module_.parameters_fingerprint();
+  status.note = module_.note().empty() ? reception.last_refusal : module_.note();
+  bus_.publish(channels::status(module_.name()), status);
+  tick_times_ns_.clear();
+  reported_ = now;
+}
+
+}  // namespace regista

@@ -1,0 +1,101 @@
+#include "planning/clearance.h"
+
+namespace regista {
+namespace {
+
+/// Signed distance to a box: outside the distance to it, inside minus the distance to its nearest side. `beyond` is how
+/// far the point lies beyond the box along each axis, negative within.
+double box_distance(const Vec2& point, const Vec2& low, const Vec2& high) {
+  const Vec2 beyond = (low - point).cwiseMax(point - high);
+  return beyond.cwiseMax(0.0).norm() + std::min(beyond.maxCoeff(), 0.0);
+}
+
+/// Least box_distance along a segment. It is a convex function of the place t on the segment, made of pieces: where one
+/// side is the nearest it is linear, where a corner is, a distance to a point. Its minimum is therefore at an end, where
+/// two pieces meet, or at a corner's projection; all of them are tried.
+class BoxApproach {
+ public:
+  BoxApproach(const Vec2& from, const Vec2& to, const Vec2& low, const Vec2& high)
+      : from_(from), along_(to - from), low_(low), high_(high) {}
+
+  double least() {
+    least_ = std::min(at(0.0), at(1.0));
+    const Vec2 middle = 0.5 * (low_ + high_);
+    for (const int axis : {0, 1}) {
+      for (const double border : {low_[axis], high_[axis], middle[axis]}) {
+        try_at(border - from_[axis], along_[axis]);
+      }
+    }
+    for (const double x : {low_.x(), high_.x()}) {
+      for (const double y : {low_.y(), high_.y()}) try_corner(Vec2(x, y));
+    }
+    return least_;
+  }
+
+ private:
+  double at(double t) const { return box_distance(from_ + t * along_, low_, high_); }
+
+  void try_at(double numerator, double denominator) {
+    const double t = numerator / denominator;  // not finite where the segment never gets there
+    if (t > 0.0 && t < 1.0) least_ = std::min(least_, at(t));
+  }
+
+  void try_corner(const Vec2& corner) {
+    const Vec2 to_corner = corner - from_;
+    try_at(to_corner.dot(along_), along_.squaredNorm());
+    // The diagonals through the corner, on one of which two sides are equally near.
+    try_at(to_corner.x() - to_corner.y(), along_.x() - along_.y());
+    try_at(to_corner.x() + to_corner.y(), along_.x() + along_.y());
+  }
+
+  Vec2 from_, along_, low_, high_;
+  double least_ = 0.0;
+};
+
+bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  const double c_side = cross(b - a, c - a);
+  const double d_side = cross(b - a, d - a);
+  const double a_side = cross(d - c, a - c);
+  const double b_side = cross(d - c, b - c);
+  return ((c_side > 0.0 && d_side < 0.0) || (c_side < 0.0 && d_side > 0.0)) &&
+         ((a_side > 0.0 && b_side < 0.0) || (a_side < 0.0 && b_side > 0.0));
+}
+
+double point_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
+  return (nearest_on_segment(point, a, b) - point).norm();
+}
+
+/// Two segments that do not cross are nearest at an end of one of them.
+double segment_segment(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
+  if (segments_cross(a, b, c, d)) return 0.0;
+  return std::min(std::min(point_segment(c, a, b), point_segment(d, a, b)),
+                  std::min(point_segment(a, c, d), point_segment(b, c, d)));
+}
+
+}  // namespace
+
+double clearance(const Vec2& point, const Obstacle& obstacle) {
+  switch (obstacle.core) {
+    case Core::point:
+      return (point - obstacle.a).norm() - obstacle.radius_m;
+    case Core::segment:
+      return point_segment(point, obstacle.a, obstacle.b) - obstacle.radius_m;
+    case Core::rectangle:
+      break;
+  }
+  return box_distance(point, obstacle.a, obstacle.b) - obstacle.radius_m;
+}
+
+double clearance(const Vec2& from, const Vec2& to, const Obstacle& obstacle) {
+  switch (obstacle.core) {
+    case Core::point:
+      return point_segment(obstacle.a, from, to) - obstacle.radius_m;
+    case Core::segment:
+      return segment_segment(from, to, obstacle.a, obstacle.b) - obstacle.radius_m;
+    case Core::rectangle:
+      break;
+  }
+  return BoxApproach(from, to, obstacle.a, obstacle.b).least() - obstacle.radius_m;
+}
+
+}  // namespace regista

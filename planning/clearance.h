@@ -1,0 +1,25 @@
+// How far a point or a straight motion stays from an obstacle: the only collision truth. Planners, the check of their
+// answers, the simulator and the tests all ask these functions; they are exact, nothing is stepped along.
+#pragma once
+
+#include "planning/obstacle.h"
+
+namespace regista {
+
+/// Touching is free: rounding of this size is not a collision. Metres.
+inline constexpr double kTouch_m = 1e-9;
+
+/// Signed distance in metres from a point to the obstacle's boundary: negative inside, where it is minus the distance
+/// to the nearest free point as far as this obstacle alone is concerned. Arguments must be finite.
+double clearance(const Vec2& point, const Obstacle& obstacle);
+
+/// Least clearance of all points of the segment from `from` to `to`, both ends included.
+double clearance(const Vec2& from, const Vec2& to, const Obstacle& obstacle);
+
+inline bool is_free(const Vec2& point, const Obstacle& obstacle) { return clearance(point, obstacle) >= -kTouch_m; }
+
+inline bool is_free(const Vec2& from, const Vec2& to, const Obstacle& obstacle) {
+  return clearance(from, to, obstacle) >= -kTouch_m;
+}
+
+}  // namespace regista

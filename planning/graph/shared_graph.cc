@@ -1,0 +1,72 @@
+#include "planning/graph/shared_graph.h"
+
+#include "planning/graph/samples.h"
+
+namespace regista::graph {
+
+void SharedGraph::reset(ObstacleField field) {
+  field_ = std::move(field);
+  sampled_.assign(field_.size(), Sampled{});
+  NodeId next = 0;
+  for (std::size_t i = 0; i < field_.size(); ++i) {
+    sampled_[i].first = next;
+    next += static_cast<NodeId>(samples_max(field_.obstacles()[i]));
+  }
+  nodes_.assign(next, Node{});
+  edges_.clear();
+  arena_.clear();
+}
+
+SharedGraph::Samples SharedGraph::samples(ObstacleIndex obstacle) {
+  Sampled& sampled = sampled_[obstacle];
+  if (!sampled.known) {
+    scratch_.clear();
+    append_samples(field_, obstacle, scratch_);
+    sampled.count = static_cast<std::uint32_t>(scratch_.size());
+    for (std::uint32_t k = 0; k < sampled.count; ++k) nodes_[sampled.first + k].position = scratch_[k];
+    sampled.known = true;
+  }
+  return {sampled.first, sampled.count};
+}
+
+std::span<const ObstacleIndex> SharedGraph::covering(NodeId node) {
+  Node& n = nodes_[node];
+  if (!n.covering_known) {
+    const std::size_t begin = arena_.size();
+    field_.covering(n.position, arena_);
+    n.covering = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
+    n.covering_known = true;
+  }
+  return list(n.covering);
+}
+
+std::span<const ObstacleIndex> SharedGraph::blockers(NodeId from, NodeId to) {
+  if (const BlockerList* known = edges_.find(from, to)) return list(*known);
+  const std::size_t begin = arena_.size();
+  // From the smaller to the larger number: rounding must not depend on who asks.
+  field_.blockers(nodes_[std::min(from, to)].position, nodes_[std::max(from, to)].position, arena_);
+  const BlockerList found{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
+  edges_.insert(from, to, found);
+  return list(found);
+}
+
+GraphPicture SharedGraph::picture() const {
+  GraphPicture picture;
+  std::vector<std::uint32_t> drawn(nodes_.size(), 0);
+  for (const Sampled& sampled : sampled_) {
+    if (!sampled.known) continue;
+    for (NodeId node = sampled.first; node < sampled.first + sampled.count; ++node) {
+      drawn[node] = static_cast<std::uint32_t>(picture.nodes.size());
+      picture.nodes.push_back(nodes_[node].position);
+    }
+  }
+  edges_.for_each([&](NodeId from, NodeId to, BlockerList blockers) {
+    picture.edges.push_back({drawn[from], drawn[to], blockers.count > 0});
+  });
+  std::sort(picture.edges.begin(), picture.edges.end(), [](const GraphEdge& a, const GraphEdge& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+  });
+  return picture;
+}
+
+}  // namespace regista::graph

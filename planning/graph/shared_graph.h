@@ -1,0 +1,72 @@
+// The visibility-sampling graph of one team and frame, grown lazily by its robots' searches. It memoises pure functions
+// of the frame's field (the samples of an obstacle, what covers a sample, what blocks an edge), so it makes searches
+// faster and cannot change their answers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "planning/graph/edge_memo.h"
+#include "planning/graph/graph_picture.h"
+#include "planning/obstacle_field.h"
+
+namespace regista::graph {
+
+/// A sample point: its obstacle's first number plus its place among the samples of that obstacle. The same in every
+/// graph of the same field, whatever was asked before.
+using NodeId = std::uint32_t;
+
+class SharedGraph {
+ public:
+  SharedGraph() = default;
+  explicit SharedGraph(ObstacleField field) { reset(std::move(field)); }
+
+  /// Begins a new frame, keeping the memory.
+  void reset(ObstacleField field);
+
+  const ObstacleField& field() const { return field_; }
+
+  /// The samples of an obstacle: nodes first … first + count - 1.
+  struct Samples {
+    NodeId first = 0;
+    std::uint32_t count = 0;
+  };
+  Samples samples(ObstacleIndex obstacle);
+
+  /// Valid for nodes that samples() has returned.
+  const Vec2& position(NodeId node) const { return nodes_[node].position; }
+
+  /// Obstacles that cover a sample / block the edge between two samples, by index. The span is valid until the graph
+  /// is asked again.
+  std::span<const ObstacleIndex> covering(NodeId node);
+  std::span<const ObstacleIndex> blockers(NodeId from, NodeId to);
+
+  /// What has been evaluated so far; captured, team and sequence are left to the caller.
+  GraphPicture picture() const;
+
+ private:
+  struct Node {
+    Vec2 position = Vec2::Zero();
+    BlockerList covering;
+    bool covering_known = false;
+  };
+  struct Sampled {
+    NodeId first = 0;
+    std::uint32_t count = 0;
+    bool known = false;
+  };
+
+  std::span<const ObstacleIndex> list(BlockerList blockers) const {
+    return {arena_.data() + blockers.begin, blockers.count};
+  }
+
+  ObstacleField field_;
+  std::vector<Sampled> sampled_;  ///< by obstacle
+  std::vector<Node> nodes_;       ///< by NodeId
+  EdgeMemo edges_;
+  std::vector<ObstacleIndex> arena_;  ///< all lists of blockers, one after the other
+  std::vector<Vec2> scratch_;
+};
+
+}  // namespace regista::graph

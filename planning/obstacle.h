@@ -1,0 +1,32 @@
+// What a robot's centre must keep out of: a convex core (point, segment or axis-aligned rectangle) grown by a radius,
+// so that disc, capsule and rounded rectangle are one family ("Planning details" of the visibility-sampling paper).
+#pragma once
+
+#include "world_model/types/geometry.h"
+
+namespace regista {
+
+enum class Core { point, segment, rectangle };
+
+/// Closed set {p : distance(p, core) < radius_m} is forbidden; its boundary is free.
+struct Obstacle {
+  Core core = Core::point;
+  Vec2 a = Vec2::Zero();  ///< point: the centre; segment: one end; rectangle: the corner with the smaller coordinates
+  Vec2 b = Vec2::Zero();  ///< point: the same centre; segment: the other end; rectangle: the opposite corner
+  double radius_m = 0.0;  ///< >= 0, the moving robot's radius and margin included
+  bool operator==(const Obstacle&) const = default;
+};
+
+inline Obstacle disc(const Vec2& centre, double radius_m) { return {Core::point, centre, centre, radius_m}; }
+
+inline Obstacle capsule(const Vec2& a, const Vec2& b, double radius_m) { return {Core::segment, a, b, radius_m}; }
+
+/// Corners may come in any order.
+inline Obstacle rounded_rectangle(const Vec2& corner, const Vec2& opposite, double radius_m) {
+  return {Core::rectangle, corner.cwiseMin(opposite), corner.cwiseMax(opposite), radius_m};
+}
+
+/// True when all numbers are finite and the radius is not negative.
+bool is_valid(const Obstacle& obstacle);
+
+}  // namespace regista

@@ -1,0 +1,79 @@
+// One frame's obstacles, laid out so that a point or a straight motion is tested against all of them at once. Immutable;
+// planners and the graph ask it, and it asks clearance.h wherever a fast test cannot say "free" for certain.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planning/clearance.h"
+
+namespace regista {
+
+/// Index of an obstacle within its field.
+using ObstacleIndex = std::uint32_t;
+
+/// Where a robot's centre may be: |x| <= half_extent_m.x(), |y| <= half_extent_m.y(). Finite, >= 0.
+struct Bounds {
+  Vec2 half_extent_m = Vec2::Zero();
+  bool operator==(const Bounds&) const = default;
+};
+
+/// True within the bounds; touching them (kTouch_m) is free.
+inline bool is_inside(const Vec2& point, const Bounds& bounds) {
+  return std::abs(point.x()) <= bounds.half_extent_m.x() + kTouch_m &&
+         std::abs(point.y()) <= bounds.half_extent_m.y() + kTouch_m;
+}
+
+/// An obstacle blocks where the clearance is below -kTouch_m. Lists of ignored obstacles are sorted indices.
+class ObstacleField {
+ public:
+  ObstacleField() = default;
+
+  /// Throws std::invalid_argument, with the value in the text, on an obstacle that is not valid or bounds that are not
+  /// finite or negative.
+  ObstacleField(const Bounds& bounds, std::vector<Obstacle> obstacles);
+
+  const Bounds& bounds() const { return bounds_; }
+  std::span<const Obstacle> obstacles() const { return obstacles_; }
+  std::size_t size() const { return obstacles_.size(); }
+
+  /// Inside the bounds and in no obstacle but ignored ones; for a segment, all of it.
+  bool is_free(const Vec2& point, std::span<const std::size_t> ignored = {}) const;
+  bool is_free(const Vec2& from, const Vec2& to, std::span<const std::size_t> ignored = {}) const;
+
+  /// An obstacle that blocks the segment (bounds are not asked), if any.
+  std::optional<ObstacleIndex> first_blocker(const Vec2& from, const Vec2& to,
+                                             std::span<const std::size_t> ignored = {}) const;
+
+  /// Appends all obstacles that block the segment to `out`; which of them an asker ignores is his affair.
+  void blockers(const Vec2& from, const Vec2& to, std::vector<ObstacleIndex>& out) const;
+
+  /// Appends all obstacles that cover the point to `out`.
+  void covering(const Vec2& point, std::vector<ObstacleIndex>& out) const;
+
+ private:
+  template <class Visit>
+  void for_candidates(const Vec2& from, const Vec2& to, Visit&& visit) const;
+
+  Bounds bounds_;
+  std::vector<Obstacle> obstacles_;
+
+  // Discs, padded to whole vectors with discs that nothing meets.
+  std::vector<double> disc_x_, disc_y_, disc_reach2_;
+  std::vector<ObstacleIndex> disc_index_;
+  // Boxes around all other obstacles, padded likewise: centre and half extent.
+  std::vector<double> box_x_, box_y_, box_half_x_, box_half_y_;
+  std::vector<ObstacleIndex> box_index_;
+};
+
+/// Membership in a sorted list of ignored obstacles, which are few.
+inline bool is_ignored(ObstacleIndex obstacle, std::span<const std::size_t> ignored) {
+  for (const std::size_t i : ignored) {
+    if (i >= obstacle) return i == obstacle;
+  }
+  return false;
+}
+
+}  // namespace regista

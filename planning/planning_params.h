@@ -1,0 +1,37 @@
+// What the user can set of planning: margins, moving obstacles, budgets. One list of fields, one place of defaults.
+#pragma once
+
+#include "world_model/params.h"
+
+namespace regista {
+
+struct PlanningParams {
+  double robot_radius_m = 0.09;          ///< the largest legal body (SSL rules, "Robot shape")
+  double team_margin_m = 0.03;           ///< between bodies of one team; estimate noise and tracking error fit in
+  double opponent_margin_m = 0.04;       ///< to opponents' bodies, whose motion is known less well
+  double area_margin_m = 0.01;           ///< between a body and a defence area
+  double wall_margin_m = 0.005;          ///< between a body and the goals' walls
+  double stretch_horizon_s = 0.0;        ///< moving robots become capsules this far along their velocity; 0: discs
+  double stretch_max_m = 1.0;            ///< cap of that length
+  std::int64_t iterations = 2500;        ///< samples a random planner may draw (N of Costa & Tonidandel)
+  std::int64_t budget_us = 0;            ///< time per robot, 0: none
+  std::int64_t seed = 1;                 ///< of random planners
+  bool operator==(const PlanningParams&) const = default;
+
+  template <class Self, class V>
+  static void visit(Self& self, V&& v) {
+    v("robot_radius_m", self.robot_radius_m, Range{0.01, 1.0}, "m", "radius of every robot's body");
+    v("team_margin_m", self.team_margin_m, Range{0.0, 1.0}, "m", "kept between team-mates");
+    v("opponent_margin_m", self.opponent_margin_m, Range{0.0, 1.0}, "m", "kept to opponents");
+    v("area_margin_m", self.area_margin_m, Range{0.0, 1.0}, "m", "kept to defence areas");
+    v("wall_margin_m", self.wall_margin_m, Range{0.0, 1.0}, "m", "kept to the goals' walls");
+    v("stretch_horizon_s", self.stretch_horizon_s, Range{0.0, 2.0}, "s",
+      "moving robots are stretched this far along their velocity; 0: not");
+    v("stretch_max_m", self.stretch_max_m, Range{0.0, 5.0}, "m", "longest stretch of a moving robot");
+    v("iterations", self.iterations, Range{0.0, 1e9}, "", "samples a random planner may draw per robot");
+    v("budget_us", self.budget_us, Range{0.0, 1e9}, "us", "time for one robot's plan; 0: no limit");
+    v("seed", self.seed, Range{0.0, 9e15}, "", "seed of random planners");
+  }
+};
+
+}  // namespace regista

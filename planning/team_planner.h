@@ -1,0 +1,64 @@
+// A team's planning for one frame: world and targets become obstacles, one shared graph and one plan per robot. The
+// planner can be exchanged between two frames; the graph belongs to the frame, so nothing is lost.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "planning/graph/graph_picture.h"
+#include "planning/obstacle_rules.h"
+#include "planning/plan.h"
+#include "planning/registry.h"
+
+namespace regista {
+
+struct TeamPlans {
+  std::vector<RobotPlan> plans;             ///< sorted by robot; one for each that has a target and is in the world
+  std::vector<std::int64_t> durations_ns;   ///< one per plan; empty without stopwatch
+  std::int64_t frame_ns = 0;                ///< all of it, obstacles and graph included; 0 without stopwatch
+};
+
+class TeamPlanner {
+ public:
+  /// Returns nanoseconds since some fixed moment.
+  using Stopwatch = std::function<std::int64_t()>;
+
+  /// Begins with kDefaultPlanner.
+  TeamPlanner(Team team, const PlanningParams& params);
+
+  /// Plans with that planner from the next frame on. Throws UnknownPlanner and keeps the present one.
+  void use(std::string_view planner);
+  std::string_view planner() const { return entry_->name; }
+  /// Counts the changes of planner, from 0.
+  std::uint64_t generation() const { return generation_; }
+
+  void set_params(const PlanningParams& params) { params_ = params; }
+  const PlanningParams& params() const { return params_; }
+  Team team() const { return team_; }
+
+  /// Targets of robots that are not in the world are left out; a target that makes no sense is answered by a plan of
+  /// status invalid. Without stopwatch the answer is a function of the arguments and of the paths answered before (only
+  /// planners that are not deterministic look at these), and budget_us is not honoured. Throws std::invalid_argument
+  /// where obstacles_for does.
+  TeamPlans plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
+                 const Stopwatch* stopwatch = nullptr);
+
+  /// The last frame's graph as far as it was needed.
+  GraphPicture picture() const;
+
+ private:
+  Plan plan_robot(const TeamObstacles& obstacles, const RobotState& robot, const Target& target,
+                  const Stopwatch* stopwatch);
+
+  Team team_;
+  PlanningParams params_;
+  const PlannerEntry* entry_;
+  std::unique_ptr<Planner> planner_;
+  std::uint64_t generation_ = 0;
+  graph::SharedGraph graph_;
+  Time captured_{};
+  std::uint64_t world_sequence_ = 0;
+  std::map<std::uint16_t, std::vector<Vec2>> previous_paths_;
+};
+
+}  // namespace regista

@@ -1,0 +1,72 @@
+// Contacts between robots: counts them, judges who is at fault (SSL rules, "Crashing"), keeps the bodies apart.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/near_pairs.h"
+#include "sim/robot_model.h"
+#include "world_model/types/time.h"
+
+namespace regista {
+
+/// Faster closing than this is a crash; SSL rules.
+inline constexpr double kCrashSpeed_mps = 1.5;
+/// Robots whose speeds towards each other differ by less are both guilty; SSL rules.
+inline constexpr double kCrashDifference_mps = 0.3;
+/// A contact begins when discs overlap and ends when they are this far apart, so that shaking is one contact. Metres.
+inline constexpr double kContactHysteresis_m = 0.01;
+
+enum class Fault : std::uint8_t { none, first, second, both };
+
+struct Contact {
+  Time at{};      ///< when it began
+  RobotId first;  ///< the smaller id
+  RobotId second;
+  double closing_speed_mps = 0.0;  ///< when it began, along the line of centres; negative: going apart
+  Fault fault = Fault::none;       ///< of a crash between opponents; none inside a team
+  bool operator==(const Contact&) const = default;
+};
+
+struct ContactCounts {
+  std::int64_t own_yellow = 0;
+  std::int64_t own_blue = 0;
+  std::int64_t opponent = 0;
+  std::int64_t at_fault_yellow = 0;  ///< contacts with opponents, alone or shared guilt
+  std::int64_t at_fault_blue = 0;
+  bool operator==(const ContactCounts&) const = default;
+};
+
+/// Relative speed along the line of centres, positive when the robots approach.
+double closing_speed_mps(const RobotBody& a, const RobotBody& b);
+
+/// The crash rule for two robots that touch with these velocities, whatever their teams.
+Fault crash_fault(const RobotBody& first, const RobotBody& second);
+
+class ContactLog {
+ public:
+  explicit ContactLog(double robot_radius_m);
+
+  /// Distance of centres up to which observe() must be told all pairs.
+  double end_distance_m() const { return 2.0 * robot_radius_m_ + kContactHysteresis_m; }
+  /// Looks at one moment, before keep_apart changes the velocities. `near` as NearPairs finds them.
+  void observe(const std::vector<RobotBody>& robots, const std::vector<IndexPair>& near, Time now);
+
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  const ContactCounts& counts() const { return counts_; }
+
+ private:
+  void begin(const RobotBody& a, const RobotBody& b, Time now);
+
+  double robot_radius_m_;
+  std::vector<IndexPair> touching_;  // sorted
+  std::vector<IndexPair> still_touching_;
+  std::vector<Contact> contacts_;
+  ContactCounts counts_;
+};
+
+/// Moves overlapping robots apart, each by half, and takes away their closing velocity: along the line of centres both
+/// go on with the mean (equal masses, no bounce); nobody leaves faster than a robot can drive.
+void keep_apart(std::vector<RobotBody>& robots, const std::vector<IndexPair>& near, const RobotLimits& limits);
+
+}  // namespace regista

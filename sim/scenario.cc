@@ -1,0 +1,52 @@
+#include "sim/scenario.h"
+
+#include <stdexcept>
+
+#include "sim/range_check.h"
+#include "sim/sim_params.h"
+
+namespace regista {
+
+FieldGeometry field_of(const Scenario& scenario) {
+  const FieldChoice& choice = scenario.field;
+  FieldGeometry field;
+  if (choice.division == "A") {
+    field = division_a();
+  } else if (choice.division == "B") {
+    field = division_b();
+  } else if (choice.division == "custom") {
+    field.length_m = choice.length_m;
+    field.width_m = choice.width_m;
+  } else {
+    throw std::invalid_argument("field.division is '" + choice.division + "', must be A, B or custom");
+  }
+  field.yellow_on_positive_x = choice.yellow_on_positive_x;
+  return field;
+}
+
+void validate(const Scenario& scenario) {
+  check_ranges(scenario);
+  const FieldGeometry field = field_of(scenario);
+  (void)sim_preset(scenario.sim_preset);
+  if (scenario.task != "random_targets" && scenario.task != "stand") {
+    throw std::invalid_argument("task is '" + scenario.task + "', must be random_targets or stand");
+  }
+  // From anywhere, some place so far away must exist.
+  if (scenario.task == "random_targets" && scenario.target_distance_min_m > field.length_m / 2.0) {
+    throw std::invalid_argument("target_distance_min_m is " + std::to_string(scenario.target_distance_min_m) +
+                                ", must be at most half the field's length, " + std::to_string(field.length_m / 2.0));
+  }
+  if (scenario.arrival_m >= scenario.target_distance_min_m) {
+    throw std::invalid_argument("arrival_m is " + std::to_string(scenario.arrival_m) +
+                                ", must be below target_distance_min_m, " +
+                                std::to_string(scenario.target_distance_min_m));
+  }
+  (void)formation(field, static_cast<int>(scenario.robots_per_team), RobotLimits{}.radius_m);
+}
+
+std::vector<RobotPlacement> initial_placements(const Scenario& scenario) {
+  validate(scenario);
+  return formation(field_of(scenario), static_cast<int>(scenario.robots_per_team), RobotLimits{}.radius_m);
+}
+
+}  // namespace regista

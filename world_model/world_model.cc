@@ -1,0 +1,213 @@
+#include "world_model/world_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "world_model/prediction.h"
+
+namespace regista {
+namespace {
+
+// Beyond these a number is no measurement but an error on its way here.
+constexpr double kPosition_m = 1000.0;
+constexpr double kHeading_rad = 100.0;
+constexpr double kSpeed = 1000.0;                          // m/s and rad/s
+constexpr std::int64_t kStamp_us = std::int64_t{1} << 60;  // differences of two fit 64 bits
+
+/// Commands kept per robot: at 100 Hz more than any latency holds.
+constexpr std::size_t kCommandsMax = 256;
+
+void require(double value, double limit, const std::string& what) {
+  if (std::isfinite(value) && std::abs(value) <= limit) return;
+  throw std::invalid_argument(what + " is " + std::to_string(value) + ", outside ±" + std::to_string(limit));
+}
+
+void require(Time time, const std::string& what) {
+  if (to_us(time) <= kStamp_us && to_us(time) >= -kStamp_us) return;
+  throw std::invalid_argument(what + " is " + std::to_string(to_us(time)) + " us, no possible time");
+}
+
+void require(const Vec2& position_m, double confidence, const std::string& whose) {
+  require(position_m.x(), kPosition_m, whose + ": x in m");
+  require(position_m.y(), kPosition_m, whose + ": y in m");
+  require(confidence, 1e6, whose + ": confidence");
+}
+
+void require(const VisionFrame& frame) {
+  require(frame.captured, "capture time");
+  for (const RobotDetection& robot : frame.robots) {
+    require(robot.pose.position_m, robot.confidence, "robot " + to_string(robot.id));
+    require(robot.pose.heading_rad, kHeading_rad, "robot " + to_string(robot.id) + ": heading in rad");
+  }
+  for (const BallDetection& ball : frame.balls) require(ball.position_m, ball.confidence, "ball");
+}
+
+/// Some order of detections that does not depend on the order they were listed in.
+auto rank(const Vec2& position_m, double confidence) { return std::tuple(-confidence, position_m.x(), position_m.y()); }
+
+}  // namespace
+
+FrameResult WorldModel::add_frame(const VisionFrame& frame) {
+  require(frame);
+  const FrameResult result = gate_.judge(frame, params_.frames);
+  if (result == FrameResult::restarted) {
+    robots_.clear();
+    ball_.reset();
+    sent_.clear();
+  } else if (result != FrameResult::taken) {
+    return result;
+  }
+  take_robots(frame);
+  take_ball(frame);
+  remove_lost();
+  return result;
+}
+
+void WorldModel::take_robots(const VisionFrame& frame) {
+  std::vector<RobotDetection> robots = frame.robots;
+  std::sort(robots.begin(), robots.end(), [](const RobotDetection& a, const RobotDetection& b) {
+    return std::tuple(a.id, rank(a.pose.position_m, a.confidence), a.pose.heading_rad) <
+           std::tuple(b.id, rank(b.pose.position_m, b.confidence), b.pose.heading_rad);
+  });
+  const RobotDetection* end = robots.data() + robots.size();
+  for (const RobotDetection* first = robots.data(); first != end;) {
+    const RobotDetection* last =
+        std::find_if(first, end, [&](const RobotDetection& other) { return other.id != first->id; });
+    take_robot(first, last, frame.captured);
+    first = last;
+  }
+}
+
+/// All detections of one id in one frame, the most confident first: the one nearest to the prediction is the robot.
+void WorldModel::take_robot(const RobotDetection* first, const RobotDetection* last, Time captured) {
+  const auto found = robots_.find(first->id);
+  if (found == robots_.end()) {
+    robots_.emplace(first->id, RobotTrack{RobotFilter(first->pose, captured, params_.robot), captured});
+    return;
+  }
+  RobotTrack& track = found->second;
+  track.filter.advance(captured, commands_of(first->id, captured), params_.robot);
+  const Pose& pose = std::min_element(first, last, [&](const RobotDetection& a, const RobotDetection& b) {
+                       return track.filter.distance_m(a.pose, captured) < track.filter.distance_m(b.pose, captured);
+                     })->pose;
+  if (track.filter.accepts(pose, captured, params_.robot)) {
+    track.guard.accepted();
+    track.filter.correct(pose, captured, params_.robot);
+  } else if (captured >= track.filter.time() &&
+             track.guard.refused(pose.position_m, captured, params_.robot.gate_m, 2.0 * params_.robot.speed_sigma_mps,
+                                 params_.teleport_detections)) {
+    track.filter = RobotFilter(pose, captured, params_.robot);
+  } else {
+    return;
+  }
+  track.seen = std::max(track.seen, captured);
+  ++track.sightings;
+}
+
+void WorldModel::take_ball(const VisionFrame& frame) {
+  if (frame.balls.empty()) return;
+  const Time captured = frame.captured;
+  if (!ball_) {
+    const auto best =
+        std::min_element(frame.balls.begin(), frame.balls.end(), [](const BallDetection& a, const BallDetection& b) {
+          return rank(a.position_m, a.confidence) < rank(b.position_m, b.confidence);
+        });
+    ball_.emplace(BallTrack{BallFilter(best->position_m, captured, params_.ball), captured});
+    return;
+  }
+  BallFilter& filter = ball_->filter;
+  filter.advance(captured, params_.ball);
+  const auto distance = [&](const BallDetection& ball) {
+    return std::tuple(filter.distance_m(ball.position_m, captured), rank(ball.position_m, ball.confidence));
+  };
+  const Vec2 position_m =
+      std::min_element(frame.balls.begin(), frame.balls.end(), [&](const BallDetection& a, const BallDetection& b) {
+        return distance(a) < distance(b);
+      })->position_m;
+  if (filter.accepts(position_m, captured, params_.ball)) {
+    ball_->guard.accepted();
+    filter.correct(position_m, captured, params_.ball);
+  } else if (captured >= filter.time() &&
+             ball_->guard.refused(position_m, captured, params_.ball.gate_m, params_.ball.speed_max_mps,
+                                  params_.teleport_detections)) {
+    filter = BallFilter(position_m, captured, params_.ball);
+  } else {
+    return;
+  }
+  ball_->seen = std::max(ball_->seen, captured);
+  ++ball_->sightings;
+}
+
+void WorldModel::remove_lost() {
+  const Time now = *gate_.newest();
+  std::erase_if(robots_,
+                [&](const auto& entry) { return now - entry.second.seen > from_seconds(params_.robot_lost_after_s); });
+  if (ball_ && now - ball_->seen > from_seconds(params_.ball_lost_after_s)) ball_.reset();
+}
+
+bool WorldModel::add_command(RobotId id, const SentVelocity& command) {
+  const std::string whose = "command of robot " + to_string(id);
+  require(command.captured, whose + ": capture time");
+  require(command.velocity.forward_mps, kSpeed, whose + ": forward in m/s");
+  require(command.velocity.left_mps, kSpeed, whose + ": left in m/s");
+  require(command.velocity.angular_radps, kSpeed, whose + ": angular in rad/s");
+  if (!gate_.newest()) return false;
+  const double ahead_s = to_seconds(command.captured - *gate_.newest());
+  if (ahead_s < -params_.frames.clock_back_s || ahead_s > params_.frames.clock_back_s) return false;
+
+  std::vector<SentVelocity>& sent = sent_[id];
+  const auto at = std::lower_bound(sent.begin(), sent.end(), command.captured,
+                                   [](const SentVelocity& known, Time captured) { return known.captured < captured; });
+  if (at != sent.end() && at->captured == command.captured) {
+    *at = command;
+  } else {
+    sent.insert(at, command);
+  }
+  // The first may go once the second acts at all times that can still be asked for: a lost robot's are the oldest.
+  const Time oldest = *gate_.newest() - from_seconds(params_.latency_s + params_.robot_lost_after_s);
+  while (sent.size() > kCommandsMax || (sent.size() > 1 && sent[1].captured < oldest)) sent.erase(sent.begin());
+  return true;
+}
+
+/// The commands that tell how the robot moves until `at`; none where they have stopped coming.
+CommandModel WorldModel::commands_of(RobotId id, Time at) const {
+  const auto found = sent_.find(id);
+  if (!params_.use_commands || found == sent_.end() || found->second.empty()) return {};
+  const Duration latency = from_seconds(params_.latency_s);
+  if (at - (found->second.back().captured + latency) > from_seconds(params_.command_timeout_s)) return {};
+  return {found->second, latency, params_.velocity_lag_s};
+}
+
+WorldState WorldModel::state() {
+  WorldState world;
+  world.sequence = ++sequence_;
+  if (!gate_.newest()) return world;
+  world.captured = *gate_.newest();
+  world.valid_at = world.captured + from_seconds(params_.latency_s);
+  world.robots.reserve(robots_.size());
+  for (const auto& [id, track] : robots_) {
+    if (track.sightings < params_.believed_after) continue;
+    RobotFilter filter = track.filter;
+    filter.advance(world.captured, commands_of(id, world.captured), params_.robot);
+    const CommandModel ahead = commands_of(id, world.valid_at);
+    RobotState robot = predicted(filter.state(id, world.captured - track.seen), world.captured, world.valid_at,
+                                 ahead.sent, ahead.latency, ahead.velocity_lag_s);
+    filter.advance(world.valid_at, {}, params_.robot);  // for the variances
+    const RobotState coasted = filter.state(id, {});
+    robot.position_variance_m2 = coasted.position_variance_m2;
+    robot.velocity_variance_m2ps2 = coasted.velocity_variance_m2ps2;
+    robot.heading_variance_rad2 = coasted.heading_variance_rad2;
+    world.robots.push_back(robot);
+  }
+  if (ball_ && ball_->sightings >= params_.believed_after) {
+    BallFilter filter = ball_->filter;
+    filter.advance(world.valid_at, params_.ball);
+    world.ball = filter.state(world.captured - ball_->seen);
+  }
+  return world;
+}
+
+}  // namespace regista

@@ -1,0 +1,104 @@
+// The estimate of everything on the field: takes vision frames of any number of cameras and the commands sent to
+// robots, answers the world as it will be when a command sent now acts. The one entry of this folder for modules.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "world_model/ball_filter.h"
+#include "world_model/frame_gate.h"
+#include "world_model/params.h"
+#include "world_model/robot_filter.h"
+#include "world_model/teleport_guard.h"
+#include "world_model/types/vision_frame.h"
+#include "world_model/types/world_state.h"
+
+namespace regista {
+
+struct WorldModelParams {
+  RobotFilterParams robot;
+  BallFilterParams ball;
+  FrameGateParams frames;
+  double robot_lost_after_s = 0.5;
+  double ball_lost_after_s = 1.0;
+  /// Two: a single false detection must not stand as an obstacle for robot_lost_after_s, and one detection shows no
+  /// velocity anyway; it costs one frame when a robot appears.
+  std::int64_t believed_after = 2;
+  /// Three: more than false detections last, less than a person who moved a robot notices.
+  std::int64_t teleport_detections = 3;
+  double latency_s = 0.0;
+  double velocity_lag_s = 0.0;
+  bool use_commands = true;
+  double command_timeout_s = 0.2;  // robots brake by themselves 0.1 s after the last command
+  bool operator==(const WorldModelParams&) const = default;
+
+  template <class Self, class V>
+  static void visit(Self& self, V&& v) {
+    v.group("robot", self.robot);
+    v.group("ball", self.ball);
+    v.group("frames", self.frames);
+    v("robot_lost_after_s", self.robot_lost_after_s, Range{0.0, 60.0}, "s", "a robot unseen for longer is gone");
+    v("ball_lost_after_s", self.ball_lost_after_s, Range{0.0, 60.0}, "s", "a ball unseen for longer is gone");
+    v("believed_after", self.believed_after, Range{1.0, 1000.0}, "", "detections before a robot or ball is reported");
+    v("teleport_detections", self.teleport_detections, Range{1.0, 1000.0}, "",
+      "agreeing detections in a row elsewhere before a robot or ball is taken to be there");
+    v("latency_s", self.latency_s, Range{0.0, 1.0}, "s", "capture of a frame to a command made from it acting");
+    v("velocity_lag_s", self.velocity_lag_s, Range{0.0, 1.0}, "s", "first-order lag of robots behind their command");
+    v("use_commands", self.use_commands, Range{0.0, 1.0}, "", "let commands sent to robots enter the estimate");
+    v("command_timeout_s", self.command_timeout_s, Range{0.0, 10.0}, "s", "commands older than this count no more");
+  }
+};
+
+/// Same calls in the same order, same answers. A frame slightly older than the newest (of a slower camera, within
+/// frames.late_s) corrects the estimate as of its time; estimates are never moved back.
+class WorldModel {
+ public:
+  explicit WorldModel(const WorldModelParams& params = {}) : params_(params) {}
+
+  /// From the next call on; what is estimated stays.
+  void set_params(const WorldModelParams& params) { params_ = params; }
+  const WorldModelParams& params() const { return params_; }
+
+  /// Throws std::invalid_argument, and changes nothing, where a value is not finite or not of this world.
+  FrameResult add_frame(const VisionFrame& frame);
+
+  /// A command sent to a robot, in any order; of those with the same capture time the last counts. False, and not
+  /// used, when its capture time is a clock jump away from the newest frame, or there is no frame yet. Throws
+  /// std::invalid_argument where a value is not finite or not of this world.
+  bool add_command(RobotId id, const SentVelocity& command);
+
+  /// The world, predicted to the capture of the newest frame plus latency_s; ages are as of that capture. Each call
+  /// counts `sequence` up, from 1. Before the first frame it is empty, at time 0.
+  WorldState state();
+
+ private:
+  struct RobotTrack {
+    RobotFilter filter;
+    Time seen{};
+    std::int64_t sightings = 1;
+    TeleportGuard guard{};
+  };
+  struct BallTrack {
+    BallFilter filter;
+    Time seen{};
+    std::int64_t sightings = 1;
+    TeleportGuard guard{};
+  };
+
+  void take_robots(const VisionFrame& frame);
+  void take_robot(const RobotDetection* first, const RobotDetection* last, Time captured);
+  void take_ball(const VisionFrame& frame);
+  void remove_lost();
+  CommandModel commands_of(RobotId id, Time at) const;
+
+  WorldModelParams params_;
+  FrameGate gate_;
+  std::map<RobotId, RobotTrack> robots_;
+  std::optional<BallTrack> ball_;
+  std::map<RobotId, std::vector<SentVelocity>> sent_;  // sorted by capture time
+  std::uint64_t sequence_ = 0;
+};
+
+}  // namespace regista
