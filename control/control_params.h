@@ -9,23 +9,21 @@ namespace regista {
 
 /// How a path becomes a velocity.
 struct FollowerParams {
-  double pursuit_min_m = 0.05;   ///< the point driven towards lies this far ahead on the path …
-  double pursuit_time_s = 0.06;  ///< … plus this times the speed: the way of the delays of vision, command and drive
-  /// Paths touch the obstacles they pass, whose margin is a few centimetres; how far a corner may be rounded.
+  /// Paths touch the obstacles they pass, whose margin is a few centimetres: how far a corner may be rounded.
   double corner_tolerance_m = 0.02;
   double corner_speed_min_mps = 0.3;  ///< corners are not driven slower than this, however sharp
   double braking_share = 0.95;        ///< of the braking limit that profiles use; the rest corrects errors
+  double return_time_s = 0.12;        ///< time constant back to the path from the side
   double settle_time_s = 0.08;        ///< time constant of the last centimetres: slower than drive lag and vision delay
   double settle_distance_m = 0.002;   ///< nearer counts as there: just above the noise of vision, 1.3 mm
   bool operator==(const FollowerParams&) const = default;
 
   template <class Self, class V>
   static void visit(Self& self, V&& v) {
-    v("pursuit_min_m", self.pursuit_min_m, Range{0.001, 1.0}, "m", "pursuit point ahead on the path at rest");
-    v("pursuit_time_s", self.pursuit_time_s, Range{0.0, 1.0}, "s", "further pursuit per speed");
     v("corner_tolerance_m", self.corner_tolerance_m, Range{0.001, 1.0}, "m", "how far a corner may be rounded");
     v("corner_speed_min_mps", self.corner_speed_min_mps, Range{0.01, 20.0}, "m/s", "least speed at a corner");
     v("braking_share", self.braking_share, Range{0.1, 1.0}, "", "share of the braking limit that profiles use");
+    v("return_time_s", self.return_time_s, Range{0.001, 2.0}, "s", "time constant back to the path from the side");
     v("settle_time_s", self.settle_time_s, Range{0.001, 2.0}, "s", "time constant of the last centimetres");
     v("settle_distance_m", self.settle_distance_m, Range{0.0, 0.1}, "m", "nearer counts as there");
   }

@@ -1,5 +1,5 @@
-// From a path and a robot's state to the velocity it shall have next: drive towards a point a little ahead on the path,
-// as fast as corners and end ahead permit (pure pursuit with a backward speed profile).
+// From a path and a robot's state to the velocity it shall have next: along the leg it is on as fast as the corners and
+// the end ahead permit (backward speed profile), across it back to the path.
 #pragma once
 
 #include <span>
@@ -8,23 +8,20 @@
 
 namespace regista {
 
-/// Where on a path a robot is: vertices up to `leg` are passed.
-struct PathPosition {
-  std::size_t leg = 0;        ///< the leg from path[leg] to path[leg + 1]; 0 for a path of one point
-  Vec2 point = Vec2::Zero();  ///< the point of the path nearest to the robot
-  double distance_m = 0.0;    ///< robot to point
-};
+/// The leg of the path nearest to the position, from path[leg] to path[leg + 1]; of equally near ones the last. All
+/// vertices before are passed. 0 for a path of one point; the path must have a point.
+std::size_t nearest_leg(std::span<const Vec2> path, const Vec2& position_m);
 
-/// Of equally near points the last one on the path. The path must have a point.
-PathPosition locate(std::span<const Vec2> path, const Vec2& position_m);
-
-/// The largest speed at which a bend of turn_rad in [0, π], spread over bend_length_m of the path, is driven with
-/// `acceleration` to the side and at most tolerance_m beside the vertices: √(acceleration·ρ). Infinite for no bend.
+/// The largest speed, m/s, at which a bend of turn_rad in [0, π], spread over bend_length_m of the path, is driven at
+/// most tolerance_m beside its vertices: √(acceleration·ρ). Infinite for no bend.
 ///
-/// Derivation: an arc tangent to two legs that meet under the turn φ passes the vertex at ρ(1/cos(φ/2) − 1); set equal
-/// to the tolerance this gives the radius for a bend in one vertex. A bend spread over a length ℓ has ρ = ℓ/φ by
-/// itself; the sum of both has both limits.
+/// Derivation: from velocity v·d1 to v·d2 under constant acceleration a takes |Δv|/a with |Δv| = 2·v·sin(φ/2); that
+/// parabola passes a corner at |Δv|²/(8a) = v²·sin²(φ/2)/(2a), so ρ = 2·tolerance/sin²(φ/2). A bend spread over a length
+/// ℓ has ρ = ℓ/φ by itself; their sum has both limits.
 double bend_speed(double turn_rad, double bend_length_m, double acceleration, double tolerance_m);
+
+/// How far before its corner the parabola above begins, metres: v·(|Δv|/a)/2 = v²·sin(φ/2)/a.
+double turn_distance(double speed_mps, double turn_rad, double acceleration);
 
 /// The velocity, field frame, for the next dt_s: `velocity_mps` is the present one. Comes to rest at the path's end.
 /// Works from anywhere, also beside or beyond the path. The path must have a point, all numbers must be finite. The

@@ -1,6 +1,7 @@
 #include "logs/log_reader.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <lcm/lcm-cpp.hpp>
@@ -35,6 +36,10 @@ LogReader::~LogReader() = default;
 
 std::optional<LogMessage> LogReader::next() {
   const lcm::LogEvent* event = log_->readNextEvent();
+  // LCM gives up at an event whose header makes no sense; the next one may be whole again.
+  while (event == nullptr && std::feof(log_->getFilePtr()) == 0 && std::ferror(log_->getFilePtr()) == 0) {
+    event = log_->readNextEvent();
+  }
   if (event == nullptr) return std::nullopt;
   LogMessage message{from_us(event->timestamp), event->channel, {}};
   const auto* data = static_cast<const std::uint8_t*>(event->data);

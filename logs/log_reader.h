@@ -34,7 +34,7 @@ class LogReader {
   LogReader(const LogReader&) = delete;
   LogReader& operator=(const LogReader&) = delete;
 
-  /// The next message; nullopt at the end of the file or where the log is damaged.
+  /// The next whole message; nullopt at the end of the file. What is damaged is skipped.
   std::optional<LogMessage> next();
 
   std::int64_t file_bytes() const { return file_bytes_; }

@@ -27,6 +27,7 @@ void LogWriter::write(Time received, const std::string& channel, std::span<const
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
     throw LogError("log " + file_ + ": a message of " + std::to_string(bytes.size()) + " bytes is too long");
   }
+  errno = 0;
   lcm::LogEvent event{};
   event.timestamp = to_us(received);
   event.channel = channel;
@@ -38,6 +39,7 @@ void LogWriter::write(Time received, const std::string& channel, std::span<const
 
 void LogWriter::close() {
   if (!log_) return;
+  errno = 0;
   if (std::fflush(log_->getFilePtr()) != 0 || std::ferror(log_->getFilePtr()) != 0) fail();
   log_.reset();
 }

@@ -11,8 +11,8 @@ double box_distance(const Vec2& point, const Vec2& low, const Vec2& high) {
 }
 
 /// Least box_distance along a segment. It is a convex function of the place t on the segment, made of pieces: where one
-/// side is the nearest it is linear, where a corner is, a distance to a point. Its minimum is therefore at an end, where
-/// two pieces meet, or at a corner's projection; all of them are tried.
+/// side is the nearest it is linear, where a corner is, a distance to a point. Its minimum is therefore at an end,
+/// where two pieces meet, or at a corner's projection; all of them are tried.
 class BoxApproach {
  public:
   BoxApproach(const Vec2& from, const Vec2& to, const Vec2& low, const Vec2& high)

@@ -1,5 +1,5 @@
-// One frame's obstacles, laid out so that a point or a straight motion is tested against all of them at once. Immutable;
-// planners and the graph ask it, and it asks clearance.h wherever a fast test cannot say "free" for certain.
+// One frame's obstacles, laid out so that a point or a straight motion is tested against all of them at once.
+// Immutable; planners and the graph ask it, and it asks clearance.h wherever a fast test cannot say "free" for certain.
 #pragma once
 
 #include <cstdint>

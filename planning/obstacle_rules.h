@@ -12,8 +12,8 @@ namespace regista {
 /// A team's obstacles of one frame: robots first, in the order of the world, then areas and walls.
 struct TeamObstacles {
   ObstacleField field;
-  std::vector<RobotId> robots;   ///< obstacle i < robots.size() is this robot
-  std::size_t own_area = 0;      ///< index of the team's own defence area
+  std::vector<RobotId> robots;  ///< obstacle i < robots.size() is this robot
+  std::size_t own_area = 0;     ///< index of the team's own defence area
   std::size_t opponent_area = 0;
 };
 

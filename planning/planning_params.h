@@ -6,16 +6,16 @@
 namespace regista {
 
 struct PlanningParams {
-  double robot_radius_m = 0.09;          ///< the largest legal body (SSL rules, "Robot shape")
-  double team_margin_m = 0.03;           ///< between bodies of one team; estimate noise and tracking error fit in
-  double opponent_margin_m = 0.04;       ///< to opponents' bodies, whose motion is known less well
-  double area_margin_m = 0.01;           ///< between a body and a defence area
-  double wall_margin_m = 0.005;          ///< between a body and the goals' walls
-  double stretch_horizon_s = 0.0;        ///< moving robots become capsules this far along their velocity; 0: discs
-  double stretch_max_m = 1.0;            ///< cap of that length
-  std::int64_t iterations = 2500;        ///< samples a random planner may draw (N of Costa & Tonidandel)
-  std::int64_t budget_us = 0;            ///< time per robot, 0: none
-  std::int64_t seed = 1;                 ///< of random planners
+  double robot_radius_m = 0.09;     ///< the largest legal body (SSL rules, "Robot shape")
+  double team_margin_m = 0.03;      ///< between bodies of one team; estimate noise and tracking error fit in
+  double opponent_margin_m = 0.04;  ///< to opponents' bodies, whose motion is known less well
+  double area_margin_m = 0.01;      ///< between a body and a defence area
+  double wall_margin_m = 0.005;     ///< between a body and the goals' walls
+  double stretch_horizon_s = 0.0;   ///< moving robots become capsules this far along their velocity; 0: discs
+  double stretch_max_m = 1.0;       ///< cap of that length
+  std::int64_t iterations = 2500;   ///< samples a random planner may draw (N of Costa & Tonidandel)
+  std::int64_t budget_us = 0;       ///< time per robot, 0: none
+  std::int64_t seed = 1;            ///< of random planners
   bool operator==(const PlanningParams&) const = default;
 
   template <class Self, class V>

@@ -20,12 +20,12 @@ struct Budget {
 };
 
 struct PlanRequest {
-  Vec2 start = Vec2::Zero();           ///< metres
-  Vec2 goal = Vec2::Zero();            ///< metres
-  std::vector<std::size_t> ignored;    ///< sorted indices of the obstacles that are none for this robot
-  std::uint64_t seed = 1;              ///< of random planners
+  Vec2 start = Vec2::Zero();         ///< metres
+  Vec2 goal = Vec2::Zero();          ///< metres
+  std::vector<std::size_t> ignored;  ///< sorted indices of the obstacles that are none for this robot
+  std::uint64_t seed = 1;            ///< of random planners
   Budget budget;
-  std::vector<Vec2> previous_path;     ///< what the robot follows now, may be empty: for planners that would jitter
+  std::vector<Vec2> previous_path;  ///< what the robot follows now, may be empty: for planners that would jitter
 };
 
 /// A request as a planner's search sees it: start and goal are free points, the rest is as asked.

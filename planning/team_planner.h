@@ -13,9 +13,9 @@
 namespace regista {
 
 struct TeamPlans {
-  std::vector<RobotPlan> plans;             ///< sorted by robot; one for each that has a target and is in the world
-  std::vector<std::int64_t> durations_ns;   ///< one per plan; empty without stopwatch
-  std::int64_t frame_ns = 0;                ///< all of it, obstacles and graph included; 0 without stopwatch
+  std::vector<RobotPlan> plans;            ///< sorted by robot; one for each that has a target and is in the world
+  std::vector<std::int64_t> durations_ns;  ///< one per plan; empty without stopwatch
+  std::int64_t frame_ns = 0;               ///< all of it, obstacles and graph included; 0 without stopwatch
 };
 
 class TeamPlanner {

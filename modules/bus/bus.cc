@@ -1,6 +1,7 @@
 #include "modules/bus/bus.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace regista {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "modules/bus/channels.h"
-#include "modules/convert/message.h"
+#include "modules/convert/codec.h"
 
 namespace regista {
 

@@ -85,8 +85,8 @@ std::vector<RobotPlan> ControllerModule::fresh_plans(Time now) const {
 void ControllerModule::command(Time now) {
   const std::int64_t begin_ns = stopwatch_();
   const WorldState& world = *world_.take();
-  const double since_last_s = last_captured_ ? to_seconds(world.captured - *last_captured_) : params_.control.period_s;
-  const double dt_s = std::clamp(since_last_s, kShortestPeriod_s, kLongestPeriod_s);
+  double dt_s = last_captured_ ? to_seconds(world.captured - *last_captured_) : params_.control.period_s;
+  if (dt_s <= 0.0) dt_s = params_.control.period_s;  // the source of vision has begun anew
   last_captured_ = world.captured;
   braked_at_.reset();
   publish(controller_.update(world, fresh_plans(now), dt_s));

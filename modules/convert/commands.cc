@@ -57,4 +57,7 @@ TeamCommands MessageOf<TeamCommands>::from_message(const commands_t& message) {
   return commands;
 }
 
+template std::vector<std::uint8_t> encode(const TeamCommands&);
+template TeamCommands decode(std::span<const std::uint8_t>);
+
 }  // namespace regista

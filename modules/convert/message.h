@@ -1,5 +1,5 @@
-// How a value becomes an LCM message and back: every type has one specialisation of MessageOf, and nothing else knows
-// the generated classes.
+// For the converters: how a value becomes an LCM message and back. Every type has one specialisation of MessageOf, and
+// its .cc file instantiates encode and decode; nothing else knows the generated classes.
 #pragma once
 
 #include <array>
@@ -12,12 +12,9 @@
 #include <string>
 #include <vector>
 
-namespace regista {
+#include "modules/convert/codec.h"
 
-/// A message that makes no sense; what() names the field and the value.
-struct MessageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace regista {
 
 /// Specialised per value type with
 ///   using Message = <generated class>;
@@ -42,7 +39,6 @@ std::vector<std::uint8_t> encode(const Value& value) {
   return bytes;
 }
 
-/// Throws MessageError, and nothing else, on truncated, foreign or hostile bytes.
 template <class Value>
 Value decode(std::span<const std::uint8_t> bytes) {
   check_counts(bytes, MessageOf<Value>::kElementBytes);

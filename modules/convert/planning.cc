@@ -119,4 +119,11 @@ GraphPicture MessageOf<GraphPicture>::from_message(const graph_t& message) {
   return graph;
 }
 
+template std::vector<std::uint8_t> encode(const Targets&);
+template Targets decode(std::span<const std::uint8_t>);
+template std::vector<std::uint8_t> encode(const RobotPlan&);
+template RobotPlan decode(std::span<const std::uint8_t>);
+template std::vector<std::uint8_t> encode(const GraphPicture&);
+template GraphPicture decode(std::span<const std::uint8_t>);
+
 }  // namespace regista

@@ -85,4 +85,13 @@ ModuleStatus MessageOf<ModuleStatus>::from_message(const module_status_t& messag
   return status;
 }
 
+template std::vector<std::uint8_t> encode(const Request&);
+template Request decode(std::span<const std::uint8_t>);
+template std::vector<std::uint8_t> encode(const Reply&);
+template Reply decode(std::span<const std::uint8_t>);
+template std::vector<std::uint8_t> encode(const Timing&);
+template Timing decode(std::span<const std::uint8_t>);
+template std::vector<std::uint8_t> encode(const ModuleStatus&);
+template ModuleStatus decode(std::span<const std::uint8_t>);
+
 }  // namespace regista

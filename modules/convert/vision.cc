@@ -75,4 +75,9 @@ FieldAnnouncement MessageOf<FieldAnnouncement>::from_message(const field_geometr
   return {time_from(message.stamp_us), field};
 }
 
+template std::vector<std::uint8_t> encode(const VisionFrame&);
+template VisionFrame decode(std::span<const std::uint8_t>);
+template std::vector<std::uint8_t> encode(const FieldAnnouncement&);
+template FieldAnnouncement decode(std::span<const std::uint8_t>);
+
 }  // namespace regista

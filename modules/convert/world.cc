@@ -74,4 +74,7 @@ WorldState MessageOf<WorldState>::from_message(const world_state_t& message) {
   return world;
 }
 
+template std::vector<std::uint8_t> encode(const WorldState&);
+template WorldState decode(std::span<const std::uint8_t>);
+
 }  // namespace regista

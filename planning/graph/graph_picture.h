@@ -18,7 +18,7 @@ struct GraphEdge {
 };
 
 struct GraphPicture {
-  Time captured{};                   ///< capture time of the world it is made from
+  Time captured{};  ///< capture time of the world it is made from
   Team team = Team::yellow;
   std::uint64_t world_sequence = 0;  ///< WorldState::sequence it is made from
   std::vector<Vec2> nodes;           ///< sample points, metres; each robot's own start and goal are not among them

@@ -63,9 +63,8 @@ GraphPicture SharedGraph::picture() const {
   edges_.for_each([&](NodeId from, NodeId to, BlockerList blockers) {
     picture.edges.push_back({drawn[from], drawn[to], blockers.count > 0});
   });
-  std::sort(picture.edges.begin(), picture.edges.end(), [](const GraphEdge& a, const GraphEdge& b) {
-    return a.from != b.from ? a.from < b.from : a.to < b.to;
-  });
+  std::sort(picture.edges.begin(), picture.edges.end(),
+            [](const GraphEdge& a, const GraphEdge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
   return picture;
 }
 

@@ -31,9 +31,9 @@ class VisibilitySearch {
     double cost = 0.0;       ///< least known from the start
     double heuristic = 0.0;  ///< straight line to the goal
     Local parent = 0;
-    NodeId shared = 0;       ///< in the shared graph; of no meaning for start and goal
+    NodeId shared = 0;  ///< in the shared graph; of no meaning for start and goal
     bool covering_checked = false;
-    bool covered = false;    ///< no node at all
+    bool covered = false;  ///< no node at all
     bool expanded = false;
   };
   struct Edge {
@@ -61,7 +61,7 @@ class VisibilitySearch {
   Vec2 goal_ = Vec2::Zero();              ///< of the query that runs
   std::vector<Node> nodes_;
   std::vector<Local> expanded_;
-  std::vector<Edge> queue_;       ///< a heap, least estimate first
+  std::vector<Edge> queue_;  ///< a heap, least estimate first
   std::vector<ObstacleIndex> marked_;
   std::vector<std::uint8_t> is_marked_;
   std::vector<ObstacleIndex> blockers_;  ///< scratch

@@ -1,0 +1,108 @@
+#include "modules/lockstep/scenario_run.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "logs/log_writer.h"
+#include "modules/lockstep/whole_loop.h"
+
+namespace regista {
+namespace {
+
+constexpr Duration kProgressEvery = std::chrono::seconds(1);
+
+/// Writes every reproducible message of the loop's bus to a log.
+class Recorder {
+ public:
+  Recorder(LockStep& loop, const std::string& file) : writer_(file) {
+    tap_ = loop.bus().subscribe_raw(".*", [this, &loop](const std::string& channel, std::span<const std::uint8_t> bytes) {
+      if (!channels::is_measured(channel)) writer_.write(loop.now(), channel, bytes);
+    });
+  }
+  void close() { writer_.close(); }
+
+ private:
+  LogWriter writer_;
+  std::unique_ptr<Bus::Subscription> tap_;
+};
+
+/// Collects what the planners measured.
+class PlanningTimes {
+ public:
+  explicit PlanningTimes(Bus& bus)
+      : listener_(bus, {"TIMING\\.planner\\..*"}, [this](const Timing& timing) {
+          team_ns_.push_back(timing.tick_ns);
+          for (const RobotTime& robot : timing.robots) robot_ns_.push_back(robot.duration_ns);
+        }) {}
+  Percentiles robot() const { return percentiles(robot_ns_); }
+  Percentiles team() const { return percentiles(team_ns_); }
+
+ private:
+  std::vector<std::int64_t> robot_ns_;
+  std::vector<std::int64_t> team_ns_;
+  Listener<Timing> listener_;
+};
+
+Observation observe(const WorldState& truth, const WholeLoop& modules) {
+  return {truth, modules.sim.simulator().contact_counts(), modules.task.reached(Team::yellow),
+          modules.task.reached(Team::blue)};
+}
+
+void note_score(RunSummary& summary, const WholeLoop& modules) {
+  summary.reached_yellow = modules.task.reached(Team::yellow);
+  summary.reached_blue = modules.task.reached(Team::blue);
+  summary.contacts = modules.sim.simulator().contact_counts();
+}
+
+}  // namespace
+
+Percentiles percentiles(std::vector<std::int64_t> times_ns) {
+  if (times_ns.empty()) return {};
+  std::sort(times_ns.begin(), times_ns.end());
+  const auto at = [&](double share) {
+    const auto rank = static_cast<std::size_t>(share * static_cast<double>(times_ns.size() - 1) + 0.5);
+    return static_cast<double>(times_ns[rank]) * 1e-3;
+  };
+  return {at(0.50), at(0.99), at(1.0), times_ns.size()};
+}
+
+RunSummary run_scenario(const Config& config, const RunOptions& options, const Stopwatch& stopwatch) {
+  RunSummary summary;
+  summary.scenario = config.scenario();
+  LockStep loop{Time{}};
+  std::optional<Recorder> recorder;
+  if (!options.log_file.empty()) recorder.emplace(loop, options.log_file);
+  PlanningTimes planning(loop.bus());
+  const WholeLoop modules = add_whole_loop(loop, config, stopwatch);
+  Validation validation(validators_of(summary.scenario, modules.sim.simulator().params().limits));
+
+  const Time end = Time{} + from_seconds(summary.scenario.duration_s);
+  const Duration period = from_seconds(1.0 / modules.sim.simulator().params().vision.rate_hz);
+  std::vector<std::int64_t> frames_ns;
+  const std::int64_t begin_ns = stopwatch();
+  Time next_progress = Time{} + kProgressEvery;
+  while (loop.now() < end && !(options.stopped && options.stopped())) {
+    const std::int64_t frame_begin_ns = stopwatch();
+    loop.run_until(std::min(end, loop.now() + period));
+    frames_ns.push_back(stopwatch() - frame_begin_ns);
+    const WorldState truth = modules.sim.simulator().truth();
+    validation.observe(observe(truth, modules));
+    if (loop.now() < next_progress) continue;
+    next_progress += kProgressEvery;
+    note_score(summary, modules);
+    if (options.on_progress) options.on_progress(to_seconds(loop.now() - Time{}), summary);
+  }
+  summary.wall_s = static_cast<double>(stopwatch() - begin_ns) * 1e-9;
+  summary.simulated_s = to_seconds(loop.now() - Time{});
+  note_score(summary, modules);
+  const WorldState truth = modules.sim.simulator().truth();
+  validation.finish(observe(truth, modules));
+  summary.violations = validation.violations();
+  summary.robot_planning = planning.robot();
+  summary.team_planning = planning.team();
+  summary.frame = percentiles(std::move(frames_ns));
+  if (recorder) recorder->close();
+  return summary;
+}
+
+}  // namespace regista

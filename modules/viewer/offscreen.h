@@ -1,0 +1,19 @@
+// One picture of a scene, drawn without a display.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "modules/viewer/viewer_scene.h"
+
+namespace regista {
+
+struct PictureError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes a PNG of width x height pixels, each at least 1; fitted_view() tells where a field point comes to lie.
+/// Throws PictureError with one line when there is no renderer or the file cannot be written.
+void write_picture(const ViewerScene& scene, const std::string& file, int width_px, int height_px);
+
+}  // namespace regista

@@ -1,0 +1,73 @@
+#include "planning/obstacle_rules.h"
+
+namespace regista {
+namespace {
+
+/// -1 or 1: the side of x on which a team's goal stands.
+double side_of(Team team, const FieldGeometry& field) {
+  return (team == Team::yellow) == field.yellow_on_positive_x ? 1.0 : -1.0;
+}
+
+Obstacle robot_obstacle(const RobotState& robot, Team team, const PlanningParams& params) {
+  const double margin_m = robot.id.team == team ? params.team_margin_m : params.opponent_margin_m;
+  const double radius_m = 2.0 * params.robot_radius_m + margin_m;
+  const Vec2 stretch = clamped_norm(robot.twist.velocity_mps * params.stretch_horizon_s, params.stretch_max_m);
+  // Vision noise makes standing robots creep; a stretch below a millimetre is none.
+  constexpr double kLeastStretch_m = 1e-3;
+  if (!(stretch.norm() >= kLeastStretch_m)) return disc(robot.pose.position_m, radius_m);
+  return capsule(robot.pose.position_m, robot.pose.position_m + stretch, radius_m);
+}
+
+/// From the area's front to the rear of the goal: the strip beside the goal is a dead end nobody should try.
+Obstacle area_obstacle(double side, const FieldGeometry& field, const PlanningParams& params) {
+  const double front_m = field.length_m / 2 - field.defence_depth_m;
+  const double rear_m = field.length_m / 2 + field.goal_depth_m + field.goal_wall_m;
+  return rounded_rectangle({side * front_m, -field.defence_width_m / 2}, {side * rear_m, field.defence_width_m / 2},
+                           params.robot_radius_m + params.area_margin_m);
+}
+
+/// The two side walls and the rear wall; goal_depth_m and goal_width_m are the goal's inner measures.
+void append_goal_walls(double side, const FieldGeometry& field, const PlanningParams& params,
+                       std::vector<Obstacle>& out) {
+  const double radius_m = params.robot_radius_m + params.wall_margin_m;
+  const double line_m = field.length_m / 2;
+  const double inner_m = line_m + field.goal_depth_m;
+  const double outer_m = inner_m + field.goal_wall_m;
+  const double post_m = field.goal_width_m / 2;
+  for (const double y : {-1.0, 1.0}) {
+    out.push_back(
+        rounded_rectangle({side * line_m, y * post_m}, {side * outer_m, y * (post_m + field.goal_wall_m)}, radius_m));
+  }
+  out.push_back(rounded_rectangle({side * inner_m, -post_m}, {side * outer_m, post_m}, radius_m));
+}
+
+}  // namespace
+
+TeamObstacles obstacles_for(Team team, const FieldGeometry& field, const WorldState& world,
+                            const PlanningParams& params) {
+  TeamObstacles out;
+  std::vector<Obstacle> obstacles;
+  for (const RobotState& robot : world.robots) {
+    obstacles.push_back(robot_obstacle(robot, team, params));
+    out.robots.push_back(robot.id);
+  }
+  out.own_area = obstacles.size();
+  obstacles.push_back(area_obstacle(side_of(team, field), field, params));
+  out.opponent_area = obstacles.size();
+  obstacles.push_back(area_obstacle(side_of(opponent_of(team), field), field, params));
+  append_goal_walls(-1.0, field, params, obstacles);
+  append_goal_walls(1.0, field, params, obstacles);
+  out.field = ObstacleField({half_extent(field, params.robot_radius_m)}, std::move(obstacles));
+  return out;
+}
+
+std::vector<std::size_t> ignored_by(const TeamObstacles& obstacles, RobotId id, bool may_enter_own_area) {
+  std::vector<std::size_t> ignored;
+  for (std::size_t i = 0; i < obstacles.robots.size(); ++i) {
+    if (obstacles.robots[i] == id) ignored.push_back(i);
+  }
+  if (may_enter_own_area) ignored.push_back(obstacles.own_area);
+  return ignored;
+}
+
+}  // namespace regista

@@ -1,0 +1,133 @@
+#include "planning/planner.h"
+
+#include <stdexcept>
+
+#include "planning/goal_adjustment.h"
+
+namespace regista {
+namespace {
+
+std::string text(const Vec2& v) { return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ") m"; }
+
+void check(const PlanRequest& request, std::size_t obstacles) {
+  if (!is_finite(request.start)) throw std::invalid_argument("start must be finite, not " + text(request.start));
+  if (!is_finite(request.goal)) throw std::invalid_argument("goal must be finite, not " + text(request.goal));
+  if (request.budget.iterations < 0) {
+    throw std::invalid_argument("iterations must be >= 0, not " + std::to_string(request.budget.iterations));
+  }
+  for (const Vec2& point : request.previous_path) {
+    if (!is_finite(point)) throw std::invalid_argument("the previous path must be finite, not " + text(point));
+  }
+  for (std::size_t i = 0; i < request.ignored.size(); ++i) {
+    const std::size_t ignored = request.ignored[i];
+    if (ignored >= obstacles) {
+      throw std::invalid_argument("ignored obstacle " + std::to_string(ignored) + " does not exist, there are " +
+                                  std::to_string(obstacles));
+    }
+    if (i > 0 && request.ignored[i - 1] >= ignored) {
+      throw std::invalid_argument("ignored obstacles must be sorted, each once; " + std::to_string(ignored) +
+                                  " comes after " + std::to_string(request.ignored[i - 1]));
+    }
+  }
+}
+
+bool legs_are_free(const ObstacleField& field, std::span<const Vec2> path, std::span<const std::size_t> ignored) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!field.is_free(path[i - 1], path[i], ignored)) return false;
+  }
+  return true;
+}
+
+/// What is wrong with a search's answer; empty when it keeps the laws. A path that did not get to the goal is held to
+/// the same laws but for its end.
+std::string fault(const ObstacleField& field, const Query& query, const SearchResult& result) {
+  const bool ok = result.status == PlanStatus::ok;
+  if (!ok && result.path.empty()) return "";
+  if (ok && result.path.size() < 2) return "has no leg";
+  if (result.path.front() != query.start) return "does not begin at the start";
+  if (ok && result.path.back() != query.goal) return "does not end at the goal";
+  for (const Vec2& point : result.path) {
+    if (!is_finite(point)) return "is not finite";
+  }
+  if (!legs_are_free(field, result.path, query.ignored)) return "leads through an obstacle or out of bounds";
+  return "";
+}
+
+void refuse(Plan& answer, PlanStatus status, const char* reason) {
+  answer.status = status;
+  answer.reason = reason;
+}
+
+}  // namespace
+
+void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& answer) {
+  const ObstacleField& field = graph.field();
+  check(request, field.size());
+  answer.path.clear();
+  answer.reason.clear();
+  answer.length_m = 0.0;
+  answer.start_moved = answer.goal_moved = false;
+  const std::optional<Vec2> start = way_out(field, request.start, request.ignored);
+  if (!start) return refuse(answer, PlanStatus::unreachable, "the start is covered and there is no straight way out");
+  const std::optional<Vec2> goal = nearest_free_point(field, request.goal, request.ignored);
+  if (!goal) return refuse(answer, PlanStatus::unreachable, "there is no free point for the goal");
+  answer.start_moved = *start != request.start;
+  answer.goal_moved = *goal != request.goal;
+
+  const Query query{*start, *goal, request.ignored, request.seed, request.budget, request.previous_path};
+  result_.status = PlanStatus::not_found;
+  result_.path.clear();
+  result_.reason.clear();
+  if (query.start == query.goal) {
+    result_.status = PlanStatus::ok;
+    result_.path.push_back(query.start);
+  } else {
+    search(graph, query, result_);
+    if (const std::string wrong = fault(field, query, result_); !wrong.empty()) {
+      result_ = {PlanStatus::not_found, {}, "refused: the planner's path " + wrong};
+    }
+  }
+  answer.status = result_.status;
+  answer.reason = result_.reason;
+  if (answer.start_moved && !result_.path.empty()) answer.path.push_back(request.start);
+  answer.path.insert(answer.path.end(), result_.path.begin(), result_.path.end());
+  answer.length_m = length_of(answer.path);
+}
+
+Plan Planner::plan(graph::SharedGraph& graph, const PlanRequest& request) {
+  Plan answer;
+  plan(graph, request, answer);
+  return answer;
+}
+
+Plan Planner::plan(const ObstacleField& field, const PlanRequest& request) {
+  graph::SharedGraph graph(field);
+  return plan(graph, request);
+}
+
+Plan plan_or_invalid(Planner& planner, graph::SharedGraph& graph, const PlanRequest& request) {
+  try {
+    return planner.plan(graph, request);
+  } catch (const std::invalid_argument& error) {
+    Plan answer;
+    answer.status = PlanStatus::invalid;
+    answer.reason = error.what();
+    return answer;
+  }
+}
+
+std::vector<Plan> plan_team(Planner& planner, const ObstacleField& field, std::span<const PlanRequest> requests) {
+  graph::SharedGraph graph(field);
+  std::vector<Plan> plans;
+  plans.reserve(requests.size());
+  for (const PlanRequest& request : requests) plans.push_back(plan_or_invalid(planner, graph, request));
+  return plans;
+}
+
+double length_of(std::span<const Vec2> path) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < path.size(); ++i) length_m += (path[i] - path[i - 1]).norm();
+  return length_m;
+}
+
+}  // namespace regista

@@ -1,0 +1,15 @@
+// Rapidly exploring random tree as Costa & Tonidandel compare it with DVG+A*: no goal bias, fixed step, KD-tree, the
+// path pruned afterwards ("RRT", section 4).
+#pragma once
+
+#include "planning/planner.h"
+
+namespace regista {
+
+/// A previous path that is still free and leads to the same goal is kept, since every new tree gives another path.
+class Rrt : public Planner {
+ protected:
+  void search(graph::SharedGraph& graph, const Query& query, SearchResult& result) override;
+};
+
+}  // namespace regista
