@@ -51,8 +51,11 @@ struct ControlParams {
   WheelGeometry wheels;
   double plan_deadline_s = 0.2;   ///< a plan older than this is no plan: 20 world states at 100 Hz
   double world_deadline_s = 0.1;  ///< without a world state for so long all robots brake
-  double period_s = 0.01;         ///< between ticks while no world state tells it: vision at 100 Hz
-  double period_max_s = 0.05;     ///< a longer pause counts as this, so that no command jumps after it
+  /// Time constant with which a robot's velocity follows its command, 30 ms for league robots. Too large a value brakes
+  /// earlier than needed, too small a one overshoots by its error times the speed.
+  double drive_lag_s = 0.03;
+  double period_s = 0.01;      ///< between ticks while no world state tells it: vision at 100 Hz
+  double period_max_s = 0.05;  ///< a longer pause counts as this, so that no command jumps after it
   /// A robot further from its last command than this was hit, held or replaced. Above what lag and filter explain:
   /// 4 m/s² · 75 ms = 0.3 m/s, 50 rad/s² · 75 ms = 3.8 rad/s.
   double plausible_speed_error_mps = 0.5;
@@ -67,6 +70,7 @@ struct ControlParams {
     v.group("wheels", self.wheels);
     v("plan_deadline_s", self.plan_deadline_s, Range{0.001, 10.0}, "s", "an older plan is no plan");
     v("world_deadline_s", self.world_deadline_s, Range{0.001, 10.0}, "s", "without a world state for so long, brake");
+    v("drive_lag_s", self.drive_lag_s, Range{0.0, 0.5}, "s", "time constant of a robot's velocity after its command");
     v("period_s", self.period_s, Range{0.0005, 0.2}, "s", "between ticks while no world state tells it");
     v("period_max_s", self.period_max_s, Range{0.0005, 0.5}, "s", "a longer pause counts as this");
     v("plausible_speed_error_mps", self.plausible_speed_error_mps, Range{0.01, 20.0}, "m/s",

@@ -59,11 +59,19 @@ std::map<std::uint16_t, const RobotPlan*> plans_of(Team team, std::span<const Ro
 /// A plan that does not reach the goal still leads as near as is known, so it is driven too.
 bool can_be_driven(const RobotPlan& plan) { return plan.plan.status != PlanStatus::invalid && !plan.plan.path.empty(); }
 
+/// Where the robot gets to when the velocity it has runs out with its drive's lag. A drive follows its command as
+/// v' = (u − v)/τ, so z = x + τ·v moves with z' = u: planned for z, the robot is one that obeys at once.
+Pose after_lag(const RobotState& robot, double lag_s) {
+  return {robot.pose.position_m + lag_s * robot.twist.velocity_mps,
+          robot.pose.heading_rad + lag_s * robot.twist.angular_radps};
+}
+
 /// What the plan asks the robot to do next.
-Twist wanted_twist(const RobotPlan& plan, const Pose& pose, const Twist& present, const ControlParams& params,
+Twist wanted_twist(const RobotPlan& plan, const RobotState& robot, const Twist& present, const ControlParams& params,
                    double dt_s) {
   RobotLimits limits = params.limits;
   limits.speed_max_mps = std::clamp(plan.target.speed_max_mps, 0.0, limits.speed_max_mps);
+  const Pose pose = after_lag(robot, params.drive_lag_s);
   return {
       follow_path(plan.plan.path, pose.position_m, present.velocity_mps, limits, params.follower, dt_s),
       wanted_rate(pose.heading_rad, present.angular_radps, plan.target.pose.heading_rad, limits, params.heading, dt_s)};
@@ -153,7 +161,7 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
     Motion motion = present_motion(robot);
     const auto plan = plan_of.find(robot.id.number);
     const Twist wanted = plan != plan_of.end() && can_be_driven(*plan->second)
-                             ? wanted_twist(*plan->second, robot.pose, motion.twist, params_, period_s)
+                             ? wanted_twist(*plan->second, robot, motion.twist, params_, period_s)
                              : Twist{};
     out.commands.push_back(command(robot.id.number, motion, wanted, period_s));
     next.emplace_hint(next.end(), robot.id.number, motion);

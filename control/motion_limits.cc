@@ -15,7 +15,9 @@ Vec2 limited_velocity(const Vec2& present_mps, const Vec2& wanted_mps, const Rob
   const double across_max = limits.acceleration_max_mps2 * dt_s;
   const double across_squared = std::max(0.0, change.squaredNorm() - along * along);
   const double used = std::sqrt(along * along / (along_max * along_max) + across_squared / (across_max * across_max));
-  return used > 1.0 ? Vec2(present_mps + change / used) : wanted_mps;
+  const Vec2 next = used > 1.0 ? Vec2(present_mps + change / used) : wanted_mps;
+  // Braking beyond standstill speeds up the other way, and that only the acceleration may do.
+  return clamped_norm(next, speed + limits.acceleration_max_mps2 * dt_s);
 }
 
 double limited_rate(double present_radps, double wanted_radps, const RobotLimits& limits, double dt_s) {

@@ -8,7 +8,8 @@ namespace regista {
 
 /// `wanted`, or the furthest velocity on the straight way from `present` to it that dt_s allows. The change may lie,
 /// seen along the present velocity, in a half disc of radius acceleration·dt ahead and in a half ellipse behind, with
-/// half axes braking·dt along and acceleration·dt across. Never faster than the faster of the two.
+/// half axes braking·dt along and acceleration·dt across. Never faster than the faster of the two, nor by more than
+/// acceleration·dt faster than the present.
 Vec2 limited_velocity(const Vec2& present_mps, const Vec2& wanted_mps, const RobotLimits& limits, double dt_s);
 
 /// Likewise for the turning rate, with the angular acceleration both ways.

@@ -1,5 +1,6 @@
 #include "control/wheels.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,13 @@
 #include <string>
 
 namespace regista {
+namespace {
+
+/// Weaker than this against the strongest, a motion is none that the wheels can drive; any sane robot has 10⁻³ and
+/// more.
+constexpr double kLeastMotion = 1e-9;
+
+}  // namespace
 
 OmniWheels::OmniWheels(const WheelGeometry& geometry) : speed_max_radps_(geometry.wheel_speed_max_radps) {
   const std::array<double, 4> bearings{geometry.front_bearing_rad, geometry.rear_bearing_rad,
@@ -19,8 +27,10 @@ OmniWheels::OmniWheels(const WheelGeometry& geometry) : speed_max_radps_(geometr
   }
   to_wheels_ /= geometry.wheel_radius_m;
   const Eigen::Matrix3d normal = to_wheels_.transpose() * to_wheels_;
+  // Ascending: how strongly the wheels answer to the body's three independent motions.
+  const Eigen::Vector3d motions = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues();
   if (!(geometry.wheel_radius_m > 0.0 && geometry.hub_radius_m > 0.0 && speed_max_radps_ > 0.0 &&
-        normal.fullPivLu().rcond() > 1e-9)) {
+        motions[0] > kLeastMotion * motions[2])) {
     throw std::invalid_argument("OmniWheels: bearings " + std::to_string(geometry.front_bearing_rad) + " and " +
                                 std::to_string(geometry.rear_bearing_rad) + " rad, hub radius " +
                                 std::to_string(geometry.hub_radius_m) + " m, wheel radius " +

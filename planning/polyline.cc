@@ -17,11 +17,11 @@ std::optional<std::vector<Vec2>> kept_path(const ObstacleField& field, const Que
   const std::span<const Vec2> previous = query.previous_path;
   if (previous.size() < 2 || (previous.back() - query.goal).norm() >= goal_drift_max_m) return std::nullopt;
   const auto is_free = [&](const Vec2& from, const Vec2& to) { return field.is_free(from, to, query.ignored); };
-  if (is_free(query.start, query.goal)) return std::vector<Vec2>{query.start, query.goal};
   // The first vertex was where the robot stood, the last is the goal's old place; those between may be kept.
   std::size_t first = previous.size() - 2;
   while (first > 0 && !is_free(query.start, previous[first])) --first;
   if (first == 0) return std::nullopt;
+  if (previous[first] == query.start) ++first;
   std::vector<Vec2> path{query.start};
   path.insert(path.end(), previous.begin() + static_cast<std::ptrdiff_t>(first), previous.end() - 1);
   path.push_back(query.goal);

@@ -34,7 +34,7 @@ std::vector<Vec2> grid(const FieldGeometry& field, const Vec2& keeper, double sp
 }  // namespace
 
 std::vector<RobotPlacement> formation(const FieldGeometry& field, int robots_per_team, double radius_m) {
-  if (robots_per_team < 1 || !(radius_m > 0.0)) {
+  if (robots_per_team < 1 || robots_per_team > 65536 || !(radius_m > 0.0)) {
     throw std::invalid_argument("formation of " + std::to_string(robots_per_team) + " robots of radius " +
                                 std::to_string(radius_m) + " m");
   }
@@ -56,8 +56,9 @@ std::vector<RobotPlacement> formation(const FieldGeometry& field, int robots_per
   std::vector<RobotPlacement> placements;
   for (const Team team : {Team::yellow, Team::blue}) {
     const bool negative = defends_negative_x(team, field);
-    for (std::uint16_t number = 0; number < robots_per_team; ++number) {
-      const Vec2& point = points[number];
+    for (std::size_t i = 0; i <= needed; ++i) {
+      const auto number = static_cast<std::uint16_t>(i);
+      const Vec2& point = points[i];
       const Vec2 position(negative ? point.x() : -point.x(), point.y());
       placements.push_back({{team, number}, {position, negative ? 0.0 : std::numbers::pi}});
     }

@@ -2,7 +2,6 @@
 // sorting costs next to nothing while robots move by millimetres.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -14,7 +13,10 @@ namespace regista {
 struct IndexPair {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
-  auto operator<=>(const IndexPair&) const = default;
+  bool operator==(const IndexPair&) const = default;
+  bool operator<(const IndexPair& other) const {
+    return first != other.first ? first < other.first : second < other.second;
+  }
 };
 
 class NearPairs {

@@ -19,16 +19,18 @@ double wrap_once(double angle_rad) {
 Vec2 limited_change(const Vec2& velocity_mps, const Vec2& change_mps, const RobotLimits& limits, double dt_s) {
   const double gain = limits.acceleration_max_mps2 * dt_s;
   const double loss = limits.braking_max_mps2 * dt_s;
+  const double least = std::min(gain, loss);
+  if (change_mps.squaredNorm() <= least * least) return change_mps;  // within every limit: the common case
   const double speed = velocity_mps.norm();
   if (speed == 0.0) return clamped_norm(change_mps, gain);
   const Vec2 ahead = velocity_mps / speed;
   const double along = change_mps.dot(ahead);
   if (along >= 0.0) return clamped_norm(change_mps, gain);
   // A step that brakes through zero ends by speeding up the other way, so there the smaller limit holds.
-  const double loss_here = speed >= loss ? loss : std::max(speed, std::min(gain, loss));
-  const double across = cross(ahead, change_mps);
-  const double excess = std::hypot(along / loss_here, across / gain);
-  return excess > 1.0 ? Vec2(change_mps / excess) : change_mps;
+  const double loss_here = speed >= loss ? loss : std::max(speed, least);
+  const Vec2 used(along / loss_here, cross(ahead, change_mps) / gain);
+  const double excess_squared = used.squaredNorm();
+  return excess_squared > 1.0 ? Vec2(change_mps / std::sqrt(excess_squared)) : change_mps;
 }
 
 void step(RobotBody& body, const BodyVelocity& commanded, const RobotLimits& limits, double velocity_lag_s,

@@ -28,6 +28,9 @@ void validate(const Scenario& scenario) {
   check_ranges(scenario);
   const FieldGeometry field = field_of(scenario);
   (void)sim_preset(scenario.sim_preset);
+  if (scenario.field_source != "sim" && scenario.field_source != "ssl") {
+    throw std::invalid_argument("field_source is '" + scenario.field_source + "', must be sim or ssl");
+  }
   if (scenario.task != "random_targets" && scenario.task != "stand") {
     throw std::invalid_argument("task is '" + scenario.task + "', must be random_targets or stand");
   }

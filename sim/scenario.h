@@ -42,6 +42,7 @@ struct Expectations {
 struct Scenario {
   std::string name = "crossing";
   FieldChoice field;
+  std::string field_source = "sim";  ///< or "ssl": a field or simulator that speaks the league's protocols
   std::int64_t robots_per_team = 11;
   std::int64_t seed = 1;
   double duration_s = 60.0;
@@ -56,6 +57,7 @@ struct Scenario {
   static void visit(Self& self, V&& v) {
     v("name", self.name, Range{}, "", "how tables and files call it");
     v.group("field", self.field);
+    v("field_source", self.field_source, Range{}, "", "sim, or ssl: a field that speaks the league's protocols");
     v("robots_per_team", self.robots_per_team, Range{1, 1000}, "", "number 0 is the goalkeeper");
     v("seed", self.seed, Range{0, 9e15}, "", "of everything random");
     v("duration_s", self.duration_s, Range{0.01, 1e6}, "s", "simulated");

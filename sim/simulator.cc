@@ -23,6 +23,7 @@ const SimSetup& checked(const SimSetup& setup) {
 
 std::vector<RobotBody> bodies_of(const std::vector<RobotPlacement>& placements) {
   std::vector<RobotBody> bodies;
+  bodies.reserve(placements.size());
   for (const RobotPlacement& placement : placements) bodies.push_back({placement.id, placement.pose, {}});
   std::sort(bodies.begin(), bodies.end(), [](const RobotBody& a, const RobotBody& b) { return a.id < b.id; });
   for (std::size_t i = 1; i < bodies.size(); ++i) {
@@ -34,6 +35,7 @@ std::vector<RobotBody> bodies_of(const std::vector<RobotPlacement>& placements) 
 
 std::vector<RobotId> ids_of(const std::vector<RobotBody>& bodies) {
   std::vector<RobotId> ids;
+  ids.reserve(bodies.size());
   for (const RobotBody& body : bodies) ids.push_back(body.id);
   return ids;
 }

@@ -18,7 +18,7 @@ class TeleportGuard {
   /// speed_max_mps · time of the one before: start the object anew there. Then the count begins again.
   bool refused(const Vec2& position_m, Time captured, double reach_m, double speed_max_mps, std::int64_t needed) {
     const double apart_s = std::abs(to_seconds(captured - captured_));
-    const bool agrees = count_ > 0 && (position_m - position_m_).norm() <= reach_m + speed_max_mps * apart_s;
+    const bool agrees = (position_m - position_m_).norm() <= reach_m + speed_max_mps * apart_s;
     count_ = agrees ? count_ + 1 : 1;
     position_m_ = position_m;
     captured_ = captured;

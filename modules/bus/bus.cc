@@ -28,6 +28,8 @@ Bus::Bus(const std::string& url, Clock clock)
 
 Bus::~Bus() = default;
 
+int Bus::file_descriptor() const { return lcm_->getFileno(); }
+
 void Bus::publish_raw(const std::string& channel, std::span<const std::uint8_t> bytes) {
   if (lcm_->publish(channel, bytes.data(), static_cast<unsigned int>(bytes.size())) != 0) {
     throw BusError("publishing " + std::to_string(bytes.size()) + " bytes on " + channel + " to '" + url_ + "' failed");
@@ -71,6 +73,7 @@ Bus::Subscription::Subscription(Bus& bus, const std::string& channel_pattern, Ra
 Bus::Subscription::~Subscription() { bus_.lcm_->unsubscribe(subscription_); }
 
 void Bus::Subscription::on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel) {
+  bus_.received_at_ = from_us(buffer->recv_utime);
   try {
     handler_(channel, {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size});
   } catch (...) {

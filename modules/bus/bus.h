@@ -45,6 +45,9 @@ class Bus {
 
   Time now() const { return clock_(); }
 
+  /// Readable when handle() has something to do: for waiting on the bus and on other things at once.
+  int file_descriptor() const;
+
   /// Throws BusError when the transport refuses, MessageError when the value cannot be encoded.
   template <class Value>
   void publish(const Channel<Value>& channel, const Value& value) {
@@ -61,6 +64,9 @@ class Bus {
   /// Rethrows what a handler threw. Throws BusError when the transport broke.
   bool handle(Duration timeout);
 
+  /// When the transport took in the message now being handled: for file:// the log's time. For handlers only.
+  Time received_at() const { return received_at_; }
+
   /// All subscriptions' counts together.
   Reception reception() const;
   void enroll(const Reception* reception);
@@ -71,6 +77,7 @@ class Bus {
   Clock clock_;
   std::unique_ptr<lcm::LCM> lcm_;
   std::exception_ptr thrown_;
+  Time received_at_{};
   std::vector<const Reception*> receptions_;
 };
 

@@ -27,6 +27,11 @@ std::optional<Time> LockStep::next_due() const {
   return next;
 }
 
+void LockStep::inject(const std::string& channel, std::span<const std::uint8_t> bytes) {
+  bus_.publish_raw(channel, bytes);
+  drain();
+}
+
 void LockStep::run_until(Time end) {
   drain();
   for (auto next = next_due(); next && *next <= end; next = next_due()) {

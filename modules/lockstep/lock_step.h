@@ -30,6 +30,9 @@ class LockStep {
   /// The module is gone from the next message on, as when its process dies. Precondition: it was added here.
   void remove(const Module& module);
 
+  /// Hands a message in at the present time and lets the modules answer it.
+  void inject(const std::string& channel, std::span<const std::uint8_t> bytes);
+
   /// Handles all that happens up to and including `end`, then leaves the clock there.
   void run_until(Time end);
 

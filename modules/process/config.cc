@@ -46,7 +46,8 @@ Config Config::load(const std::string& path, const std::vector<std::string>& set
       flatten(toml::parse_file(path), "", config.entries_);
     } catch (const toml::parse_error& error) {
       const auto line = error.source().begin.line;
-      throw ConfigError(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + std::string(error.description()));
+      const std::string place = line > 0 ? path + ":" + std::to_string(line) : path;
+      throw ConfigError(place + ": " + std::string(error.description()));
     } catch (const ConfigError& error) {
       throw ConfigError(path + ": " + error.what());
     }

@@ -76,7 +76,7 @@ int module_main(const ModuleProgram& program, int argc, char** argv) {
     stop_requested();  // from here on a signal ends the program in order
     const Config config =
         Config::load(flags.config_file.empty() ? "" : scenario_file(flags.config_file), flags.settings);
-    Bus bus(flags.lcm_url, real_clock());
+    Bus bus(program.bus_url ? program.bus_url(flags.lcm_url) : flags.lcm_url, real_clock());
     const Team team = flags.team == "B" ? Team::blue : Team::yellow;
     const std::unique_ptr<Module> module = program.make({bus, config, team, real_stopwatch()});
     ProcessLoop loop(*module, bus, real_stopwatch());

@@ -29,6 +29,8 @@ struct ModuleProgram {
   bool per_team = false; ///< takes --team Y|B
   std::function<std::unique_ptr<Module>(const ModuleContext&)> make;
   std::function<void(CLI::App&)> add_flags = {};  ///< the program's own flags, parsed before make
+  /// The bus to open, from the one given; for a program that reads a log its own way.
+  std::function<std::string(const std::string& url)> bus_url = {};
   /// Instead of the plain loop, for a program that must own the main thread (a window). Returns when `stopped()`.
   std::function<void(Module&, ProcessLoop&, const std::function<bool()>& stopped)> run = {};
 };

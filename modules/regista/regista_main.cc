@@ -19,6 +19,9 @@ namespace {
 int run(int argc, char** argv) {
   CLI::App app{"Controls teams of robots over LCM: vision in, velocity commands out.", "regista"};
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return std::string("regista: ") + error.what() + "; see --help\n";
+  });
   regista::Action action;
   regista::add_up(app, action);
   regista::add_run(app, action);

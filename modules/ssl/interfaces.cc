@@ -9,7 +9,7 @@
 #include <array>
 #include <cstring>
 
-#include "modules/ssl/udp_socket.h"
+#include "modules/ssl/socket_error.h"
 
 namespace regista {
 namespace {
@@ -47,9 +47,8 @@ std::vector<Interface> multicast_interfaces(const std::string& name_or_address) 
     known += (known.empty() ? "" : ", ") + address.interface.name + " (" + address.ipv4 + ")";
     const bool wanted =
         name_or_address.empty() || name_or_address == address.interface.name || name_or_address == address.ipv4;
-    const bool there = std::any_of(chosen.begin(), chosen.end(), [&](const Interface& one) {
-      return one.index == address.interface.index;
-    });
+    const bool there = std::any_of(chosen.begin(), chosen.end(),
+                                   [&](const Interface& one) { return one.index == address.interface.index; });
     if (wanted && !there) chosen.push_back(address.interface);
   }
   if (chosen.empty() && !name_or_address.empty()) {

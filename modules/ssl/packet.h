@@ -27,7 +27,8 @@ Packet parse_packet(std::span<const std::uint8_t> bytes) {
   if (!packet.ParsePartialFromArray(bytes.data(), static_cast<int>(bytes.size()))) {
     throw MessageError("not a well-formed " + packet.GetTypeName());
   }
-  if (!packet.IsInitialized()) throw MessageError("required fields missing: " + one_line(packet.InitializationErrorString()));
+  if (!packet.IsInitialized())
+    throw MessageError("required fields missing: " + one_line(packet.InitializationErrorString()));
   return packet;
 }
 

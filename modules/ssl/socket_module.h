@@ -18,6 +18,8 @@ class SocketModule : public Module {
   /// What a process waits on: the bus and the sockets.
   std::vector<int> descriptors() const;
 
+  Time now() const { return bus().now(); }
+
  protected:
   virtual std::vector<const UdpSocket*> sockets() const = 0;
   bool has_packets() const;

@@ -10,7 +10,7 @@ namespace regista {
 namespace {
 
 constexpr double kMillimetresPerMetre = 1e3;  // divided by, so that 1800 mm are 1.8 m to the last bit
-constexpr double kSmallestField_m = 0.1;  // smaller than a robot: a unit error
+constexpr double kSmallestField_m = 0.1;      // smaller than a robot: a unit error
 
 double metres(double millimetres, double low_m, const char* field) {
   const double value_m = at_least(millimetres / kMillimetresPerMetre, low_m, field);

@@ -1,5 +1,5 @@
-// SSL-Vision's detections as our vision frames: millimetres to metres, seconds to stamps, what has no identity left out.
-// Messages: SSL-Vision, as in proto/ssl_vision_detection.proto.
+// SSL-Vision's detections as our vision frames: millimetres to metres, seconds to stamps, what has no identity left
+// out. Messages: SSL-Vision, as in proto/ssl_vision_detection.proto.
 #pragma once
 
 #include <cstdint>

@@ -77,7 +77,8 @@ in_addr resolve(const std::string& host) {
 
 }  // namespace
 
-UdpSocket::UdpSocket() : descriptor_(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)), buffer_(kLargestDatagram) {
+UdpSocket::UdpSocket()
+    : descriptor_(socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)), buffer_(kLargestDatagram) {
   if (descriptor_ < 0) throw SocketError("cannot open a UDP socket: " + reason());
 }
 

@@ -4,16 +4,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace regista {
+#include "modules/ssl/socket_error.h"
 
-/// The network refused; what() is one line that says what to do.
-struct SocketError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+namespace regista {
 
 class UdpSocket {
  public:

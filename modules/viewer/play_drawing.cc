@@ -32,8 +32,8 @@ struct Style {
 Style style_of(const FieldGeometry& field) { return {std::max(1.0, field.length_m / 12.0)}; }
 
 void draw_graph(Drawing& drawing, const GraphPicture& graph, const Style& style) {
-  const Color free = mixed(palette::kGrass, color_of(graph.team), 0.30);
-  const Color node = mixed(palette::kGrass, color_of(graph.team), 0.55);
+  const Color free = mixed(palette::kGrass, color_of(graph.team), 0.36);
+  const Color node = mixed(palette::kGrass, color_of(graph.team), 0.6);
   const std::size_t nodes = graph.nodes.size();
   for (const GraphEdge& edge : graph.edges) {
     // Blocked edges are left out: a graph has many more of them than free ones, and no path can use them.
@@ -77,9 +77,8 @@ void draw_robot(Drawing& drawing, const RobotState& robot, const Style& style) {
   add_wall(drawing, body, layers::kGrass_m, {layers::kRobot_m, mixed(color, palette::kInk, 0.4)});
   add_polygon(drawing, body, {layers::kRobot_m, color});
   const Vec2 forward = rotated({1.0, 0.0}, robot.pose.heading_rad);
-  const Vec2 left = rotated({0.0, 1.0}, robot.pose.heading_rad);
-  const Vec2 front = robot.pose.position_m + 0.055 * forward;
-  add_segment(drawing, front - 0.05 * left, front + 0.05 * left, 0.03, {layers::kRobotFront_m, palette::kInk});
+  const Vec2& centre = robot.pose.position_m;
+  add_segment(drawing, centre, centre + kRobotFront_m * forward, 0.03, {layers::kRobotFront_m, palette::kInk});
   const Vec2 label = robot.pose.position_m + Vec2(0.0, kRobotRadius_m + 0.75 * style.number_m);
   add_number(drawing, robot.id.number, label, style.number_m, style.halo_m, {layers::kNumberEdge_m, palette::kInk});
   add_number(drawing, robot.id.number, label, style.number_m, style.stroke_m,

@@ -42,7 +42,7 @@ void replace(COpenGLScene& target, const std::string& name, const CSetOfTriangle
 
 constexpr double kLineSpacing = 1.7;
 // MRPT's monospaced letters are as wide as this share of their nominal height.
-constexpr double kLetterWidth = 0.8;
+constexpr double kLetterWidth = 0.9;
 
 void put_text(COpenGLScene& target, const ViewerScene& scene, double text_px) {
   auto viewport = target.getViewport();
@@ -50,6 +50,7 @@ void put_text(COpenGLScene& target, const ViewerScene& scene, double text_px) {
   mrpt::opengl::TFontParams font;
   font.vfont_name = "mono";
   font.vfont_scale = static_cast<float>(text_px);
+  font.vfont_kerning = 0.0;
   std::size_t id = 0;
   const auto put = [&](const std::vector<TextLine>& lines, bool right) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -90,7 +91,7 @@ void set_depth_range(COpenGLScene& target, double distance_m) {
                                                  static_cast<float>(2.0 * distance_m));
 }
 
-double text_height_px(int height_px) { return std::max(9.0, height_px / 66.0); }
+double text_height_px(int height_px) { return std::max(9.0, height_px / 72.0); }
 
 void prefer_exact_software_rendering() {
   constexpr int kKeepWhatTheUserSet = 0;

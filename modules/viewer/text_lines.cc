@@ -6,9 +6,9 @@
 namespace regista {
 namespace {
 
-std::string milliseconds(const DurationSummary& times) {
+std::string p50_and_max(const DurationSummary& times) {
   char text[64];
-  std::snprintf(text, sizeof text, "p50 %.3f  max %.3f ms", static_cast<double>(times.p50_ns) * 1e-6,
+  std::snprintf(text, sizeof text, "%.3f / %.3f", static_cast<double>(times.p50_ns) * 1e-6,
                 static_cast<double>(times.max_ns) * 1e-6);
   return text;
 }
@@ -17,8 +17,8 @@ TextLine team_line(const ViewerScene& scene, Team team) {
   const TeamScene& play = scene.of(team);
   std::string text = team == Team::yellow ? "yellow" : "blue  ";
   if (!play.plans.empty()) text += "  " + play.plans.begin()->second.planner;
-  if (play.planning_robot) text += "  |  robot " + milliseconds(*play.planning_robot);
-  if (play.planning_team) text += "  |  team " + milliseconds(*play.planning_team);
+  if (play.planning_robot) text += "   planning p50 / max: robot " + p50_and_max(*play.planning_robot);
+  if (play.planning_team) text += "  team " + p50_and_max(*play.planning_team) + " ms";
   return {text, color_of(team)};
 }
 

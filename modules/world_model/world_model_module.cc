@@ -36,7 +36,10 @@ void WorldModelModule::on_tick(Time) {
   take_commands(yellow_commands_);
   take_commands(blue_commands_);
   bool changed = false;
-  while (const auto frame = frames_.pop()) changed = model_.add_frame(*frame) == FrameResult::taken || changed;
+  while (const auto frame = frames_.pop()) {
+    const FrameResult result = model_.add_frame(*frame);
+    changed = changed || result == FrameResult::taken || result == FrameResult::restarted;
+  }
   if (!changed) return;
   seen_ = true;
   const WorldState state = model_.state();

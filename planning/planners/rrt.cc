@@ -55,8 +55,7 @@ class Tree {
     const KdTree::Nearest nearest = nodes_.nearest(sample);
     if (nearest.distance_m == 0.0) return false;
     const Vec2 from = nodes_[nearest.index];
-    const Vec2 to =
-        nearest.distance_m <= kStep_m ? sample : Vec2(from + (sample - from) * (kStep_m / nearest.distance_m));
+    const Vec2 to = from + (sample - from) * (kStep_m / nearest.distance_m);
     if (!field_.is_free(from, to, query_.ignored)) return false;
     nodes_.add(to);
     parents_.push_back(nearest.index);
@@ -78,6 +77,11 @@ class Tree {
 
 void Rrt::search(graph::SharedGraph& graph, const Query& query, SearchResult& result) {
   const ObstacleField& field = graph.field();
+  if (field.is_free(query.start, query.goal, query.ignored)) {
+    result.path = {query.start, query.goal};
+    result.status = PlanStatus::ok;
+    return;
+  }
   if (std::optional<std::vector<Vec2>> kept = kept_path(field, query, kGoalDrift_m)) {
     result.path = std::move(*kept);
     result.status = PlanStatus::ok;

@@ -6,7 +6,9 @@
 
 namespace regista {
 
-/// A previous path that is still free and leads to the same goal is kept, since every new tree gives another path.
+/// Steps have the fixed length λ as printed. Two things are added for a robot that drives: a free straight line is
+/// taken without a tree (2,500 samples without goal bias miss one goal in forty), and a previous path that is still
+/// free and leads to the same goal is kept, since every new tree gives another path.
 class Rrt : public Planner {
  protected:
   void search(graph::SharedGraph& graph, const Query& query, SearchResult& result) override;

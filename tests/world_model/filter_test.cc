@@ -150,6 +150,21 @@ TEST_CASE("the ball filter follows rolling and kicks, and ends at rest") {
   CHECK((filter.state({}).position_m - truth.position_m).norm() < 0.003);
 }
 
+TEST_CASE("a kick is known two frames after it shows") {
+  const BallFilterParams params;
+  for (const double speed_mps : {4.0, 6.5}) {
+    CAPTURE(speed_mps);
+    BallFilter filter({0.0, 0.0}, at_ms(0), params);
+    for (int i = 1; i <= 103; ++i) {
+      filter.advance(at_ms(10.0 * i), params);
+      const Vec2 seen(i <= 100 ? 0.0 : speed_mps * 0.01 * (i - 100), 0.0);
+      REQUIRE(filter.accepts(seen, at_ms(10.0 * i), params));
+      filter.correct(seen, at_ms(10.0 * i), params);
+    }
+    CHECK((filter.state({}).velocity_mps - Vec2(speed_mps, 0.0)).norm() < 0.1 * speed_mps);
+  }
+}
+
 TEST_CASE("noiseless rolling is recovered exactly") {
   const BallFilterParams params;
   BallState truth;

@@ -194,6 +194,49 @@ TEST_CASE("the state is predicted by the latency with the commands that will act
   CHECK(std::abs(wrap_angle(state.robots[0].pose.heading_rad - later.pose.heading_rad)) < 1e-3);
 }
 
+TEST_CASE("a robot out of sight moves on as it was told") {
+  WorldModel world;
+  RobotState truth;
+  std::vector<SentVelocity> sent;
+  WorldState state;
+  for (int i = 0; i < 115; ++i) {
+    std::vector<RobotDetection> seen;
+    if (i <= 100) seen.push_back({kY3, truth.pose, 1.0});  // then hidden for 140 ms while it speeds up
+    world.add_frame(frame(at_ms(10.0 * i), static_cast<std::uint32_t>(i), seen));
+    state = world.state();
+    if (i == 114) break;
+    sent.push_back({at_ms(10.0 * i), {i < 100 ? 1.0 : 1.0 + 0.03 * (i - 100), 0.0, 0.0}});
+    REQUIRE(world.add_command(kY3, sent.back()));
+    truth = predicted(truth, at_ms(10.0 * i), at_ms(10.0 * (i + 1)), sent, Duration{0}, 0.0);
+  }
+  REQUIRE(state.robots.size() == 1);
+  CHECK(state.robots[0].age == Duration{140000});
+  CHECK((state.robots[0].pose.position_m - truth.pose.position_m).norm() < 1e-3);
+  CHECK((state.robots[0].twist.velocity_mps - truth.twist.velocity_mps).norm() < 1e-3);
+}
+
+TEST_CASE("commands from before a restart of the clock are forgotten, as are those that stopped coming") {
+  WorldModel world;
+  feed(world, kY3, {}, {}, 60000, 60100);
+  REQUIRE(world.add_command(kY3, {at_ms(60100), {2.0, 0.0, 0.0}}));
+  feed(world, kY3, {}, {}, 0, 100);
+  WorldModelParams ahead = world.params();
+  ahead.latency_s = 0.1;
+  world.set_params(ahead);
+  REQUIRE(world.add_command(kY3, {at_ms(0), {1.0, 0.0, 0.0}}));
+  feed(world, kY3, {}, {}, 110, 190);
+  CHECK((world.state().robots.at(0).twist.velocity_mps - Vec2(1.0, 0.0)).norm() < 1e-6);
+  feed(world, kY3, {}, {}, 200, 500);
+  CHECK(world.state().robots.at(0).twist.velocity_mps.norm() < 1e-3);
+}
+
+TEST_CASE("a frame that comes behind does not make a robot older") {
+  WorldModel world;
+  feed(world, kY3, {}, {}, 0, 100);
+  REQUIRE(world.add_frame(frame(at_ms(70), 1, {{kY3, {}, 1.0}}, {}, 1)) == FrameResult::taken);
+  CHECK(world.state().robots.at(0).age == Duration{0});
+}
+
 TEST_CASE("values that are no measurement are refused by name and change nothing") {
   WorldModel world;
   feed(world, kY3, {}, {}, 0, 100);

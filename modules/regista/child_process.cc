@@ -1,0 +1,104 @@
+#include "modules/regista/child_process.h"
+
+#include <fcntl.h>
+#include <linux/close_range.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include "modules/regista/command.h"
+
+namespace regista {
+namespace {
+
+constexpr int kCannotExecute = 127;         // as shells say it
+constexpr std::size_t kLongestLine = 4096;  // a module that writes no line ends must not fill the memory
+
+/// Between fork and exec: only calls that are safe there, for LCM has threads.
+[[noreturn]] void become_module(pid_t launcher, int output, char* const* argv) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != launcher) _exit(kCannotExecute);  // the launcher died before the line above
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
+  close_range(STDERR_FILENO + 1, ~0U, 0);  // LCM's sockets are the launcher's
+  execv(argv[0], argv);
+  const char* why = std::strerror(errno);
+  if (write(STDERR_FILENO, why, std::strlen(why)) > 0 && write(STDERR_FILENO, "\n", 1) > 0) _exit(kCannotExecute);
+  _exit(kCannotExecute);
+}
+
+std::string describe(int status) {
+  if (WIFSIGNALED(status)) return "was killed by signal " + std::to_string(WTERMSIG(status));
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::string& path, const std::vector<std::string>& arguments) {
+  std::vector<char*> argv{const_cast<char*>(path.c_str())};
+  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+  argv.push_back(nullptr);
+  std::array<int, 2> pipe_ends{};
+  if (pipe2(pipe_ends.data(), O_CLOEXEC | O_NONBLOCK) != 0) {
+    throw CommandError(std::string("cannot make a pipe: ") + std::strerror(errno));
+  }
+  // The child's end must block, or its output would get lost when the launcher is slow.
+  fcntl(pipe_ends[1], F_SETFL, 0);
+  const pid_t launcher = getpid();
+  pid_ = fork();
+  if (pid_ == 0) become_module(launcher, pipe_ends[1], argv.data());
+  close(pipe_ends[1]);
+  output_ = pipe_ends[0];
+  if (pid_ < 0) {
+    close(output_);
+    throw CommandError("cannot start " + path + ": " + std::strerror(errno));
+  }
+  setpgid(pid_, pid_);  // also here: whoever comes first
+}
+
+ChildProcess::~ChildProcess() {
+  if (!end_) {
+    send(SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
+  close(output_);
+}
+
+std::vector<std::string> ChildProcess::read_lines() {
+  std::vector<std::string> lines;
+  std::array<char, 4096> buffer{};
+  for (ssize_t count = 0; (count = read(output_, buffer.data(), buffer.size())) > 0;) {
+    for (const char c : std::string_view(buffer.data(), static_cast<std::size_t>(count))) {
+      if (c != '\n' && partial_.size() < kLongestLine) {
+        partial_ += c;
+        continue;
+      }
+      lines.push_back(std::move(partial_));
+      partial_.clear();
+    }
+  }
+  if (end_ && !partial_.empty()) lines.push_back(std::exchange(partial_, {}));
+  return lines;
+}
+
+const std::optional<std::string>& ChildProcess::end() {
+  int status = 0;
+  if (!end_ && waitpid(pid_, &status, WNOHANG) == pid_) end_ = describe(status);
+  return end_;
+}
+
+void ChildProcess::send(int signal) const {
+  if (!end_) kill(-pid_, signal);
+}
+
+}  // namespace regista

@@ -1,0 +1,63 @@
+// Runs a set of modules as child processes: starts them, listens to their STATUS, restarts what dies, ends them all.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "modules/bus/mailbox.h"
+#include "modules/convert/service.h"
+#include "modules/regista/child_process.h"
+#include "modules/regista/display.h"
+#include "modules/regista/module_set.h"
+#include "modules/regista/restart_policy.h"
+
+namespace regista {
+
+class Launcher {
+ public:
+  /// Starts all of them. The programs are in `folder`. Throws CommandError naming a program that is not there.
+  Launcher(Bus& bus, const std::vector<ChildSpec>& specs, const std::string& folder, Display& display);
+
+  /// Listens, watches, restarts and shows for about that long.
+  void step(Duration wait);
+
+  /// SIGTERM to all, SIGKILL after two seconds to those that have not ended. Nothing is left when it returns.
+  void stop();
+
+  /// Modules that died too often to be started again.
+  std::size_t given_up() const;
+  std::size_t size() const { return modules_.size(); }
+
+ private:
+  struct Watched {
+    ChildSpec spec;
+    RestartPolicy policy;
+    std::unique_ptr<ChildProcess> process;  ///< nullptr while it is dead
+    Time started{};
+    std::optional<Time> restart_at;
+    std::string last_line;  ///< it wrote
+  };
+  struct Report {
+    ModuleStatus status;
+    Time arrived{};
+  };
+
+  void start(Watched& module);
+  void watch(Watched& module);
+  void relay_output(Watched& module);
+  bool all_ended();
+  std::vector<ModuleRow> rows() const;
+  ModuleRow row_of(const Watched& module) const;
+
+  Bus& bus_;
+  std::string folder_;
+  Display& display_;
+  std::vector<Watched> modules_;
+  std::map<std::string, Report> reports_;  ///< newest STATUS by module, of all modules on the bus
+  Listener<ModuleStatus> listener_;
+};
+
+}  // namespace regista

@@ -1,0 +1,134 @@
+// Nearest free points and ways out, against dense sampling.
+#include "planning/goal_adjustment.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "planning/uniform.h"
+#include "tests/support/planning_oracles.h"
+#include "tests/support/planning_worlds.h"
+
+namespace regista {
+namespace {
+
+using testing::point_is_free;
+using testing::segment_is_free;
+
+/// Random points nearer to `centre` than the claimed distance, dense towards it, of which none may do.
+template <class Does>
+void require_none_nearer(std::mt19937_64& random, const Vec2& centre, double distance_m, Does&& does) {
+  for (int k = 0; k < 1000; ++k) {
+    const double radius_m = (distance_m - 1e-7) * std::sqrt(uniform(random));
+    const Vec2 point = centre + rotated({radius_m, 0.0}, uniform(random, 0.0, 6.283185307179586));
+    if (!does(point)) continue;
+    CAPTURE(centre.transpose(), distance_m, point.transpose(), (point - centre).norm());
+    FAIL("a nearer point does as well");
+  }
+}
+
+ObstacleField unbounded(const ObstacleField& field) {
+  return {{Vec2::Constant(1e6)}, {field.obstacles().begin(), field.obstacles().end()}};
+}
+
+std::vector<std::size_t> with_covering(const ObstacleField& field, const PlanRequest& request) {
+  std::vector<std::size_t> all = request.ignored;
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    if (!is_free(request.start, field.obstacles()[i])) all.push_back(i);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("a free point stays") {
+  const ObstacleField field({{5, 5}}, {disc({0, 0}, 1)});
+  CHECK(*nearest_free_point(field, {2, 0}) == Vec2(2, 0));
+  CHECK(*way_out(field, {1, 0}) == Vec2(1, 0));
+  const std::vector<std::size_t> ignored{0};
+  CHECK(*nearest_free_point(field, {0, 0}, ignored) == Vec2(0, 0));
+}
+
+TEST_CASE("nearest free points of simple worlds") {
+  const ObstacleField one({{5, 5}}, {disc({0, 0}, 1)});
+  CHECK((*nearest_free_point(one, {0.5, 0}) - Vec2(1, 0)).norm() < 1e-12);
+  CHECK(nearest_free_point(one, {0, 0})->norm() == Approx(1));
+  // Between two overlapping discs the nearest free point is where their boundaries meet.
+  const ObstacleField two({{5, 5}}, {disc({-0.6, 0}, 1), disc({0.6, 0}, 1)});
+  CHECK((*nearest_free_point(two, {0, 0.1}) - Vec2(0, 0.8)).norm() < 1e-12);
+  // In the corner of the field, on the bounds.
+  const ObstacleField corner({{5, 5}}, {rounded_rectangle({4, 3}, {6, 6}, 0.5)});
+  CHECK((*nearest_free_point(corner, {4.9, 2.6}) - Vec2(4.9, 2.5)).norm() < 1e-12);
+  CHECK((*nearest_free_point(one, {7, 1}) - Vec2(5, 1)).norm() < 1e-12);
+}
+
+TEST_CASE("nothing is free in a covered field") {
+  const ObstacleField field({{5, 5}}, {disc({0, 0}, 20)});
+  CHECK_FALSE(nearest_free_point(field, {1, 1}));
+  CHECK_FALSE(way_out(field, {1, 1}));
+}
+
+TEST_CASE("the way out crosses nothing that does not cover the start") {
+  // The small disc covers the start; the nearest free point is to the right, but a wall stands there.
+  const ObstacleField field({{5, 5}}, {disc({0, 0}, 1), rounded_rectangle({0.5, -2}, {0.8, 2}, 0)});
+  const Vec2 start(0.4, 0);
+  const Vec2 out = *way_out(field, start);
+  CHECK(field.is_free(out));
+  CHECK(is_free(start, out, field.obstacles()[1]));
+  // To the left would be 1.4 m; upwards, along the wall to where it meets the disc, is shorter.
+  CHECK((out - start).norm() == Approx(std::hypot(0.1, std::sqrt(0.75))));
+}
+
+TEST_CASE("the way out may graze an obstacle in its way") {
+  // A bar just right of the start: the shortest allowed leg passes its end.
+  const ObstacleField field({{9, 9}}, {disc({0, 0}, 2), capsule({0.6, -0.3}, {0.6, 0.3}, 0.1)});
+  const Vec2 start(0.4, 0);
+  const Vec2 out = *way_out(field, start);
+  CHECK(field.is_free(out));
+  CHECK(is_free(start, out, field.obstacles()[1]));
+  CHECK((out - start).norm() < 1.9);
+}
+
+TEST_CASE("no free sample is nearer than the nearest free point") {
+  std::mt19937_64 random(6);
+  int moved = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(20 + i % 100));
+    PlanRequest request = testing::random_request(random, field);
+    if (i % 10 == 0) request.goal *= 1.3;  // some outside the bounds
+    const std::optional<Vec2> found = nearest_free_point(field, request.goal, request.ignored);
+    CAPTURE(i);
+    REQUIRE(found);
+    REQUIRE(point_is_free(field, *found, request.ignored));
+    const double distance_m = (*found - request.goal).norm();
+    if (distance_m == 0.0) continue;
+    ++moved;
+    require_none_nearer(random, request.goal, distance_m,
+                        [&](const Vec2& point) { return point_is_free(field, point, request.ignored); });
+  }
+  CHECK(moved > 300);
+}
+
+TEST_CASE("no sampled way out is shorter than the way out") {
+  std::mt19937_64 random(7);
+  int moved = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(20 + i % 100));
+    PlanRequest request = testing::random_request(random, field);
+    if (i % 10 == 0) request.start *= 1.3;
+    if (point_is_free(field, request.start, request.ignored)) continue;
+    const std::vector<std::size_t> crossed = with_covering(field, request);
+    const ObstacleField no_bounds = unbounded(field);
+    const auto leads_out = [&](const Vec2& point) {
+      return point_is_free(field, point, request.ignored) && segment_is_free(no_bounds, request.start, point, crossed);
+    };
+    const std::optional<Vec2> found = way_out(field, request.start, request.ignored);
+    CAPTURE(i, request.start.transpose());
+    ++moved;
+    if (found) REQUIRE(leads_out(*found));
+    const double distance_m = found ? (*found - request.start).norm() : 3.0;
+    require_none_nearer(random, request.start, distance_m, leads_out);
+  }
+  CHECK(moved > 300);
+}
+
+}  // namespace regista

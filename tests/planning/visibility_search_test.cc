@@ -1,0 +1,82 @@
+// The lazy search against Dijkstra on the whole graph it claims to have searched.
+#include "planning/graph/visibility_search.h"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "planning/graph/samples.h"
+#include "planning/planner.h"
+#include "planning/planners/visibility_sampling.h"
+#include "tests/support/planning_oracles.h"
+#include "tests/support/planning_worlds.h"
+
+namespace regista::graph {
+namespace {
+
+Query query_of(const PlanRequest& request) { return {request.start, request.goal, request.ignored, 1, {}, {}}; }
+
+std::vector<Vec2> marked_graph(const ObstacleField& field, const PlanRequest& request,
+                               std::span<const ObstacleIndex> marked) {
+  std::vector<Vec2> samples, nodes{request.start, request.goal};
+  for (const ObstacleIndex obstacle : marked) append_samples(field, obstacle, samples);
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(nodes),
+               [&](const Vec2& sample) { return field.is_free(sample, request.ignored); });
+  return nodes;
+}
+
+}  // namespace
+
+TEST_CASE("the path is the shortest over the samples of the marked obstacles") {
+  std::mt19937_64 random(14);
+  VisibilitySearch search;
+  SharedGraph graph;
+  int found_count = 0;
+  for (int world = 0; world < 1000; ++world) {
+    const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(world % 40));
+    const PlanRequest request = testing::random_free_request(random, field);
+    if (!field.is_free(request.start, request.ignored) || !field.is_free(request.goal, request.ignored)) continue;
+    graph.reset(field);
+    std::vector<Vec2> path;
+    const bool found = search.find(graph, query_of(request), path);
+    const std::vector<Vec2> nodes = marked_graph(field, request, search.marked());
+    const std::optional<double> expected = testing::shortest_length(field, nodes, request.ignored);
+    CAPTURE(world);
+    REQUIRE(found == expected.has_value());
+    REQUIRE(path.front() == request.start);
+    if (!found) continue;
+    ++found_count;
+    REQUIRE(path.back() == request.goal);
+    REQUIRE(length_of(path) == Approx(*expected).epsilon(1e-12));
+  }
+  CHECK(found_count > 500);
+}
+
+TEST_CASE("only obstacles in the way are marked") {
+  const ObstacleField field({{5, 5}}, {disc({0, 0}, 0.3), disc({0, 3}, 0.3), disc({-4, -4}, 0.3)});
+  SharedGraph graph(field);
+  VisibilitySearch search;
+  std::vector<Vec2> path;
+  REQUIRE(search.find(graph, {{-3, 0}, {3, 0}, {}, 1, {}, {}}, path));
+  CHECK(std::vector<ObstacleIndex>(search.marked().begin(), search.marked().end()) == std::vector<ObstacleIndex>{0});
+  REQUIRE(search.find(graph, {{-3, 1}, {3, 1}, {}, 1, {}, {}}, path));
+  CHECK(search.marked().empty());
+  CHECK(path.size() == 2);
+}
+
+TEST_CASE("the order of obstacles changes no length") {
+  std::mt19937_64 random(15);
+  VisibilitySampling planner;
+  for (int world = 0; world < 500; ++world) {
+    const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(world % 50));
+    PlanRequest request = testing::random_request(random, field);
+    request.ignored.clear();
+    std::vector<Obstacle> reversed(field.obstacles().rbegin(), field.obstacles().rend());
+    const Plan plan = planner.plan(field, request);
+    const Plan other = planner.plan(ObstacleField(field.bounds(), reversed), request);
+    CAPTURE(world);
+    REQUIRE(plan.status == other.status);
+    if (plan.status == PlanStatus::ok) REQUIRE(plan.length_m == Approx(other.length_m).epsilon(1e-12));
+  }
+}
+
+}  // namespace regista::graph
