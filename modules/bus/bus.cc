@@ -1,6 +1,7 @@
 #include "modules/bus/bus.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <utility>
 
 namespace regista {
@@ -43,8 +44,10 @@ std::unique_ptr<Bus::Subscription> Bus::subscribe_raw(const std::string& channel
 bool Bus::handle(Duration timeout) {
   // Rounded up: waking early would spin until the moment asked for.
   const auto timeout_ms = std::chrono::ceil<std::chrono::milliseconds>(std::max(timeout, Duration::zero())).count();
+  errno = 0;
   const int handled = lcm_->handleTimeout(static_cast<int>(timeout_ms));
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+  if (handled < 0 && errno == EINTR) return false;  // a signal ended the wait
   if (handled < 0 && !url_.starts_with("file")) throw BusError("the LCM bus '" + url_ + "' broke while receiving");
   return handled > 0;
 }
@@ -73,7 +76,6 @@ Bus::Subscription::Subscription(Bus& bus, const std::string& channel_pattern, Ra
 Bus::Subscription::~Subscription() { bus_.lcm_->unsubscribe(subscription_); }
 
 void Bus::Subscription::on_message(const lcm::ReceiveBuffer* buffer, const std::string& channel) {
-  bus_.received_at_ = from_us(buffer->recv_utime);
   try {
     handler_(channel, {static_cast<const std::uint8_t*>(buffer->data), buffer->data_size});
   } catch (...) {

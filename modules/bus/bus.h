@@ -64,9 +64,6 @@ class Bus {
   /// Rethrows what a handler threw. Throws BusError when the transport broke.
   bool handle(Duration timeout);
 
-  /// When the transport took in the message now being handled: for file:// the log's time. For handlers only.
-  Time received_at() const { return received_at_; }
-
   /// All subscriptions' counts together.
   Reception reception() const;
   void enroll(const Reception* reception);
@@ -77,7 +74,6 @@ class Bus {
   Clock clock_;
   std::unique_ptr<lcm::LCM> lcm_;
   std::exception_ptr thrown_;
-  Time received_at_{};
   std::vector<const Reception*> receptions_;
 };
 

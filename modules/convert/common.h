@@ -49,6 +49,12 @@ inline Pose pose_from(double x_m, double y_m, double heading_rad) {
   return {position_from(x_m, y_m), wrap_angle(heading_rad)};
 }
 
+/// A text with a zero byte in it would not survive the next encoding.
+inline std::string text_from(const std::string& text, const char* field) {
+  require(text.find('\0') == std::string::npos, std::string(field) + " holds a zero byte");
+  return text;
+}
+
 inline point_t to_point(const Vec2& p) { return {p.x(), p.y()}; }
 
 /// Stamps within ±285,000 years, so that differences cannot overflow.

@@ -74,7 +74,7 @@ RobotPlan MessageOf<RobotPlan>::from_message(const plan_t& message) {
   require(message.set_size >= 1, "set_size is " + std::to_string(message.set_size));
   robot_plan.set_size = static_cast<std::uint32_t>(message.set_size);
   robot_plan.generation = sequence_from(message.generation);
-  robot_plan.planner = message.planner;
+  robot_plan.planner = text_from(message.planner, "planner");
   Plan& plan = robot_plan.plan;
   require(message.status >= 0 && message.status <= static_cast<int>(PlanStatus::invalid),
           "status is " + std::to_string(message.status) + ", must be 0 to 3");
@@ -84,7 +84,7 @@ RobotPlan MessageOf<RobotPlan>::from_message(const plan_t& message) {
   plan.length_m = at_least(message.length_m, 0.0, "length_m");
   for (const point_t& point : message.waypoints) plan.path.push_back(position_from(point.x_m, point.y_m));
   require(plan.status != PlanStatus::ok || !plan.path.empty(), "the plan is ok but has no waypoint");
-  plan.reason = message.reason;
+  plan.reason = text_from(message.reason, "reason");
   return robot_plan;
 }
 

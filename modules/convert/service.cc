@@ -16,7 +16,12 @@ request_t MessageOf<Request>::to_message(const Request& request) {
 }
 
 Request MessageOf<Request>::from_message(const request_t& message) {
-  return {time_from(message.stamp_us), message.id, message.module, message.verb, message.key, message.value};
+  return {time_from(message.stamp_us),
+          message.id,
+          text_from(message.module, "module"),
+          text_from(message.verb, "verb"),
+          text_from(message.key, "key"),
+          text_from(message.value, "value")};
 }
 
 reply_t MessageOf<Reply>::to_message(const Reply& reply) {
@@ -30,7 +35,8 @@ reply_t MessageOf<Reply>::to_message(const Reply& reply) {
 }
 
 Reply MessageOf<Reply>::from_message(const reply_t& message) {
-  return {time_from(message.stamp_us), message.id, message.accepted != 0, message.module, message.text};
+  return {time_from(message.stamp_us), message.id, message.accepted != 0, text_from(message.module, "module"),
+          text_from(message.text, "text")};
 }
 
 timing_t MessageOf<Timing>::to_message(const Timing& timing) {
@@ -44,7 +50,7 @@ timing_t MessageOf<Timing>::to_message(const Timing& timing) {
 }
 
 Timing MessageOf<Timing>::from_message(const timing_t& message) {
-  Timing timing{time_from(message.stamp_us), message.module, message.tick_ns, {}};
+  Timing timing{time_from(message.stamp_us), text_from(message.module, "module"), message.tick_ns, {}};
   for (const robot_time_t& robot : message.robots) timing.robots.push_back({number_from(robot.robot), robot.duration_ns});
   return timing;
 }
@@ -70,8 +76,8 @@ module_status_t MessageOf<ModuleStatus>::to_message(const ModuleStatus& status) 
 ModuleStatus MessageOf<ModuleStatus>::from_message(const module_status_t& message) {
   ModuleStatus status;
   status.sent = time_from(message.stamp_us);
-  status.module = message.module;
-  status.host = message.host;
+  status.module = text_from(message.module, "module");
+  status.host = text_from(message.host, "host");
   status.pid = message.pid;
   status.uptime = Duration{message.uptime_us};
   status.rate_hz = at_least(message.rate_hz, 0.0, "rate_hz");
@@ -81,7 +87,7 @@ ModuleStatus MessageOf<ModuleStatus>::from_message(const module_status_t& messag
   status.skipped = message.skipped;
   status.refused = message.refused;
   status.parameters_fingerprint = message.parameters_fingerprint;
-  status.note = message.note;
+  status.note = text_from(message.note, "note");
   return status;
 }
 

@@ -1,53 +1,69 @@
 #include "modules/lockstep/replay.h"
 
 #include <filesystem>
-#include <optional>
 #include <regex>
 
 namespace regista {
 namespace {
 
-/// The time of the first message: module clocks begin there.
-Time begin_of(const std::string& url) {
-  std::optional<Time> begin;
-  Bus log(url, [] { return Time{}; });
-  const auto tap = log.subscribe_raw(".*", [&](const std::string&, std::span<const std::uint8_t>) {
-    if (!begin) begin = log.received_at();
-  });
-  while (!begin && log.handle(Duration::zero())) {
+/// A log as a bus (file://), with the times of its messages: LCM's own player passes on the moment of replay instead.
+class TimedLog {
+ public:
+  using Handler = std::function<void(const LogMessage&)>;
+
+  TimedLog(const std::string& file, Handler handler)
+      : times_(file),
+        next_(times_.next()),
+        bus_("file://" + std::filesystem::absolute(file).string() + "?speed=0", [] { return Time{}; }),
+        handler_(std::move(handler)) {
+    player_ = bus_.subscribe_raw(".*", [this](const std::string& channel, std::span<const std::uint8_t> bytes) {
+      const LogMessage message{next_.value().received, channel, {bytes.begin(), bytes.end()}};
+      next_ = times_.next();
+      handler_(message);
+    });
   }
-  return begin.value_or(Time{});
-}
+
+  Time begin() const { return next_ ? next_->received : Time{}; }
+  void play() {
+    while (bus_.handle(Duration::zero())) {
+    }
+  }
+
+ private:
+  LogReader times_;
+  std::optional<LogMessage> next_;
+  Bus bus_;
+  Handler handler_;
+  std::unique_ptr<Bus::Subscription> player_;
+};
 
 }  // namespace
 
 Replay replay_log(const std::string& log_file, const std::string& outputs,
                   const std::function<void(LockStep&)>& add_modules) {
-  const std::string url = "file://" + std::filesystem::absolute(log_file).string() + "?speed=0";
   const std::regex output_channels(outputs);
   const auto is_output = [&](const std::string& channel) {
     return std::regex_match(channel, output_channels) && !channels::is_measured(channel);
   };
 
   Replay replay;
-  LockStep loop(begin_of(url));
+  LockStep* modules = nullptr;
+  TimedLog log(log_file, [&](const LogMessage& message) {
+    modules->run_until(message.received);
+    if (is_output(message.channel)) {
+      replay.recorded.push_back(message);
+    } else {
+      modules->inject(message.channel, message.bytes);
+    }
+  });
+  LockStep loop(log.begin());
+  modules = &loop;
   const auto listener =
       loop.bus().subscribe_raw(".*", [&](const std::string& channel, std::span<const std::uint8_t> bytes) {
         if (is_output(channel)) replay.replayed.push_back({loop.now(), channel, {bytes.begin(), bytes.end()}});
       });
   add_modules(loop);
-
-  Bus log(url, [] { return Time{}; });
-  const auto player = log.subscribe_raw(".*", [&](const std::string& channel, std::span<const std::uint8_t> bytes) {
-    loop.run_until(log.received_at());
-    if (is_output(channel)) {
-      replay.recorded.push_back({log.received_at(), channel, {bytes.begin(), bytes.end()}});
-    } else {
-      loop.inject(channel, bytes);
-    }
-  });
-  while (log.handle(Duration::zero())) {
-  }
+  log.play();
   return replay;
 }
 

@@ -44,14 +44,14 @@ class PlanningTimes {
 };
 
 Observation observe(const WorldState& truth, const WholeLoop& modules) {
-  return {truth, modules.sim.simulator().contact_counts(), modules.task.reached(Team::yellow),
-          modules.task.reached(Team::blue)};
+  return {truth, modules.sim->simulator().contact_counts(), modules.task->reached(Team::yellow),
+          modules.task->reached(Team::blue)};
 }
 
 void note_score(RunSummary& summary, const WholeLoop& modules) {
-  summary.reached_yellow = modules.task.reached(Team::yellow);
-  summary.reached_blue = modules.task.reached(Team::blue);
-  summary.contacts = modules.sim.simulator().contact_counts();
+  summary.reached_yellow = modules.task->reached(Team::yellow);
+  summary.reached_blue = modules.task->reached(Team::blue);
+  summary.contacts = modules.sim->simulator().contact_counts();
 }
 
 }  // namespace
@@ -74,10 +74,10 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
   if (!options.log_file.empty()) recorder.emplace(loop, options.log_file);
   PlanningTimes planning(loop.bus());
   const WholeLoop modules = add_whole_loop(loop, config, stopwatch);
-  Validation validation(validators_of(summary.scenario, modules.sim.simulator().params().limits));
+  Validation validation(validators_of(summary.scenario, modules.sim->simulator().params().limits));
 
   const Time end = Time{} + from_seconds(summary.scenario.duration_s);
-  const Duration period = from_seconds(1.0 / modules.sim.simulator().params().vision.rate_hz);
+  const Duration period = from_seconds(1.0 / modules.sim->simulator().params().vision.rate_hz);
   std::vector<std::int64_t> frames_ns;
   const std::int64_t begin_ns = stopwatch();
   Time next_progress = Time{} + kProgressEvery;
@@ -85,7 +85,7 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
     const std::int64_t frame_begin_ns = stopwatch();
     loop.run_until(std::min(end, loop.now() + period));
     frames_ns.push_back(stopwatch() - frame_begin_ns);
-    const WorldState truth = modules.sim.simulator().truth();
+    const WorldState truth = modules.sim->simulator().truth();
     validation.observe(observe(truth, modules));
     if (loop.now() < next_progress) continue;
     next_progress += kProgressEvery;
@@ -95,7 +95,7 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
   summary.wall_s = static_cast<double>(stopwatch() - begin_ns) * 1e-9;
   summary.simulated_s = to_seconds(loop.now() - Time{});
   note_score(summary, modules);
-  const WorldState truth = modules.sim.simulator().truth();
+  const WorldState truth = modules.sim->simulator().truth();
   validation.finish(observe(truth, modules));
   summary.violations = validation.violations();
   summary.robot_planning = planning.robot();

@@ -32,7 +32,7 @@ Launcher::Launcher(Bus& bus, const std::vector<ChildSpec>& specs, const std::str
 }
 
 void Launcher::start(Watched& module) {
-  module.process = std::make_unique<ChildProcess>(folder_ + "/" + module.spec.program, module.spec.arguments);
+  module.process = std::make_unique<ModuleProcess>(folder_ + "/" + module.spec.program, module.spec.arguments);
   module.started = bus_.now();
   module.restart_at.reset();
   module.policy.started(module.started);

@@ -9,7 +9,7 @@
 
 #include "modules/bus/mailbox.h"
 #include "modules/convert/service.h"
-#include "modules/regista/child_process.h"
+#include "modules/regista/module_process.h"
 #include "modules/regista/display.h"
 #include "modules/regista/module_set.h"
 #include "modules/regista/restart_policy.h"
@@ -35,7 +35,7 @@ class Launcher {
   struct Watched {
     ChildSpec spec;
     RestartPolicy policy;
-    std::unique_ptr<ChildProcess> process;  ///< nullptr while it is dead
+    std::unique_ptr<ModuleProcess> process;  ///< nullptr while it is dead
     Time started{};
     std::optional<Time> restart_at;
     std::string last_line;  ///< it wrote

@@ -56,7 +56,7 @@ QueryAnswer answer_query(Planner& planner, const PlanQuery& query, int repeat,
     std::vector<Obstacle> obstacles = query.obstacles;
     const std::int64_t began_ns = stopwatch();
     graph.reset(ObstacleField(query.bounds, std::move(obstacles)));
-    std::int64_t robot_began_ns = began_ns;
+    std::int64_t robot_began_ns = stopwatch();
     for (std::size_t i = 0; i < requests.size(); ++i) {
       if (query.budget_us) {
         deadline_ns = robot_began_ns + static_cast<std::int64_t>(*query.budget_us * kNanosecondsPerMicrosecond);

@@ -125,7 +125,8 @@ void SslRadioModule::report(const std::string& error, Time now) {
   error_at_ = now;
   ++errors_not_logged_;
   if (logged_at_ && now - *logged_at_ < kLogEvery) return;
-  spdlog::warn("{}: {} reports {} ({} errors since the last line)", name(), params_.host, error, errors_not_logged_);
+  spdlog::warn("{}: {} reports {} (errors since the last such line: {})", name(), params_.host, error,
+               errors_not_logged_);
   logged_at_ = now;
   errors_not_logged_ = 0;
 }

@@ -18,7 +18,7 @@ mrpt::img::CImage render(const ViewerScene& scene, int width_px, int height_px) 
   mrpt::opengl::COpenGLScene target;
   const int factor = std::max(width_px, height_px) * kOversampling <= kLargestSide_px ? kOversampling : 1;
   const View view = fitted_view(scene.field, factor * width_px, factor * height_px);
-  fill_scene(target, scene, factor * text_height_px(height_px));
+  fill_scene(target, scene, factor * text_height_px(width_px, height_px));
   set_camera(target, view);
   mrpt::opengl::CFBORender renderer(static_cast<unsigned>(view.width_px), static_cast<unsigned>(view.height_px));
   renderer.setCamera(target, target.getViewport()->getCamera());

@@ -38,7 +38,7 @@ mrpt::obs::CObservation3DScene::Ptr observation_of(const ViewerScene& scene) {
   auto observation = mrpt::obs::CObservation3DScene::Create();
   observation->timestamp = to_mrpt(scene.world.captured);
   observation->scene = mrpt::opengl::COpenGLScene::Create();
-  fill_scene(*observation->scene, scene, text_height_px(kHeight_px));
+  fill_scene(*observation->scene, scene, text_height_px(kWidth_px, kHeight_px));
   set_camera(*observation->scene, fitted_view(scene.field, kWidth_px, kHeight_px));
   return observation;
 }

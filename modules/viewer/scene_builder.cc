@@ -91,7 +91,12 @@ void set_depth_range(COpenGLScene& target, double distance_m) {
                                                  static_cast<float>(2.0 * distance_m));
 }
 
-double text_height_px(int height_px) { return std::max(9.0, height_px / 72.0); }
+double text_height_px(int width_px, int height_px) {
+  // Two lines fit above the field; the longest two texts, left and right, fit side by side.
+  constexpr double kPictureHeights = 72.0;
+  constexpr double kLettersAcross = 125.0;
+  return std::min(height_px / kPictureHeights, width_px / (kLettersAcross * kLetterWidth));
+}
 
 void prefer_exact_software_rendering() {
   constexpr int kKeepWhatTheUserSet = 0;

@@ -23,8 +23,8 @@ double zoom_distance_m(const View& view);
 /// Near and far planes for a camera at that distance. A short range, because depth may be of half precision.
 void set_depth_range(mrpt::opengl::COpenGLScene& target, double distance_m);
 
-/// Height of text that suits a picture of that many pixels.
-double text_height_px(int height_px);
+/// Height of text that suits a picture of that size.
+double text_height_px(int width_px, int height_px);
 
 /// Call it before the first drawing, while the process has one thread. Mesa's software renderer otherwise computes
 /// vertices in half precision, where thin layers and text vanish; real graphics cards ignore the setting, and one that

@@ -31,7 +31,7 @@ void look_from_above(Window& window, const ViewerScene& scene) {
 
 void redraw(Window& window, const ViewerScene& scene) {
   const std::lock_guard lock(window.background_scene_mtx);
-  fill_scene(*window.background_scene, scene, text_height_px(window.height()));
+  fill_scene(*window.background_scene, scene, text_height_px(window.width(), window.height()));
   set_depth_range(*window.background_scene, window.camera().getZoomDistance());
 }
 
@@ -53,7 +53,7 @@ struct Showing {
       fitted_field = scene.field;
       redraw(window, scene);
     }
-    if (task.stopped()) nanogui::leave();
+    if (task.stopped()) close();
   }
 
   /// nanogui would print an exception and go on.
@@ -63,9 +63,13 @@ struct Showing {
       step();
     } catch (...) {
       thrown = std::current_exception();
-      nanogui::leave();
+      close();
     }
   }
+
+  /// The main loop ends when no window is left. nanogui::leave() would end the thread that wakes that loop, which then
+  /// sometimes sleeps on for ever.
+  void close() { window.setVisible(false); }
 };
 
 void run(const WindowTask& task, int width_px, int height_px) {

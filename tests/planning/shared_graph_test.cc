@@ -55,9 +55,11 @@ TEST_CASE("an answer does not depend on who asked before") {
       const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(world));
       shared.reset(field);
       std::vector<PlanRequest> requests;
+      requests.reserve(11);
       for (int robot = 0; robot < 11; ++robot) requests.push_back(testing::random_request(random, field));
       for (PlanRequest& request : requests) request.budget.iterations = 200;
       std::vector<Plan> alone;
+      alone.reserve(requests.size());
       for (const PlanRequest& request : requests) alone.push_back(entry.make()->plan(field, request));
       CAPTURE(entry.name, world);
       REQUIRE(plan_team(*planner, field, requests) == alone);

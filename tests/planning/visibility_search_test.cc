@@ -63,6 +63,16 @@ TEST_CASE("only obstacles in the way are marked") {
   CHECK(path.size() == 2);
 }
 
+TEST_CASE("a covered sample marks what covers it") {
+  // The second disc blocks no useful edge, but it covers the uppermost sample of the first.
+  const ObstacleField field({{5, 5}}, {disc({0, 0}, 0.3), disc({0, 0.6}, 0.3), disc({0, 3}, 0.3)});
+  SharedGraph graph(field);
+  VisibilitySearch search;
+  std::vector<Vec2> path;
+  REQUIRE(search.find(graph, {{-3, 0.05}, {3, 0.05}, {}, 1, {}, {}}, path));
+  CHECK(std::vector<ObstacleIndex>(search.marked().begin(), search.marked().end()) == std::vector<ObstacleIndex>{0, 1});
+}
+
 TEST_CASE("the order of obstacles changes no length") {
   std::mt19937_64 random(15);
   VisibilitySampling planner;

@@ -93,13 +93,13 @@ TEST_CASE("a scenario's mistakes are named") {
   complains("task", "dance", "random_targets or stand");
   complains("target_distance_min_m", "7", "at most half");
   complains("robots_per_team", "1000", "at most");
-  Scenario scenario;
-  scenario.duration_s = std::nan("");
-  CHECK_THROWS_WITH(validate(scenario), Catch::Contains("duration_s"));
-  scenario = {};
-  scenario.arrival_m = 0.5;
-  scenario.target_distance_min_m = 0.4;
-  CHECK_THROWS_WITH(validate(scenario), Catch::Contains("arrival_m"));
+  Scenario endless;
+  endless.duration_s = std::nan("");
+  CHECK_THROWS_WITH(validate(endless), Catch::Contains("duration_s"));
+  Scenario arrived_at_once;
+  arrived_at_once.arrival_m = 0.5;
+  arrived_at_once.target_distance_min_m = 0.4;
+  CHECK_THROWS_WITH(validate(arrived_at_once), Catch::Contains("arrival_m"));
 }
 
 TEST_CASE("every field of a scenario and of the parameters can be listed and set") {

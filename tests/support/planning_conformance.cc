@@ -47,7 +47,7 @@ class Examination {
 
   /// Plans and checks whatever comes out against the laws that hold for every answer.
   Plan examine(const ObstacleField& field, const PlanRequest& request, const std::string& where) {
-    const Plan plan = planner_->plan(field, request);
+    Plan plan = planner_->plan(field, request);
     if (is_ok(plan)) {
       const std::string fault = fault_of(field, request, plan);
       expect(fault.empty(), where + ": the path " + fault);

@@ -59,8 +59,11 @@ ViewerScene fake_scene() {
                                 3.9 - 0.75 * number};
       play.targets->targets.push_back(target);
       play.plans[number] = fake_plan(scene.world.robots.back(), target);
+      play.plans[number].captured = scene.world.captured;
     }
     play.graph = fake_graph(team, scene.field);
+    play.graph->captured = scene.world.captured;
+    play.targets->captured = scene.world.captured;
     play.planning_robot = DurationSummary{12'300, 87'000};
     play.planning_team = DurationSummary{123'000, 870'000};
   }

@@ -1,4 +1,4 @@
-#include "modules/regista/child_process.h"
+#include "modules/regista/module_process.h"
 
 #include <fcntl.h>
 #include <linux/close_range.h>
@@ -44,7 +44,7 @@ std::string describe(int status) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::string& path, const std::vector<std::string>& arguments) {
+ModuleProcess::ModuleProcess(const std::string& path, const std::vector<std::string>& arguments) {
   std::vector<char*> argv{const_cast<char*>(path.c_str())};
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   argv.push_back(nullptr);
@@ -66,7 +66,7 @@ ChildProcess::ChildProcess(const std::string& path, const std::vector<std::strin
   setpgid(pid_, pid_);  // also here: whoever comes first
 }
 
-ChildProcess::~ChildProcess() {
+ModuleProcess::~ModuleProcess() {
   if (!end_) {
     send(SIGKILL);
     waitpid(pid_, nullptr, 0);
@@ -74,7 +74,7 @@ ChildProcess::~ChildProcess() {
   close(output_);
 }
 
-std::vector<std::string> ChildProcess::read_lines() {
+std::vector<std::string> ModuleProcess::read_lines() {
   std::vector<std::string> lines;
   std::array<char, 4096> buffer{};
   for (ssize_t count = 0; (count = read(output_, buffer.data(), buffer.size())) > 0;) {
@@ -91,13 +91,13 @@ std::vector<std::string> ChildProcess::read_lines() {
   return lines;
 }
 
-const std::optional<std::string>& ChildProcess::end() {
+const std::optional<std::string>& ModuleProcess::end() {
   int status = 0;
   if (!end_ && waitpid(pid_, &status, WNOHANG) == pid_) end_ = describe(status);
   return end_;
 }
 
-void ChildProcess::send(int signal) const {
+void ModuleProcess::send(int signal) const {
   if (!end_) kill(-pid_, signal);
 }
 

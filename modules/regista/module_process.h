@@ -10,17 +10,17 @@
 
 namespace regista {
 
-class ChildProcess {
+class ModuleProcess {
  public:
   /// Starts the program in a process group of its own, so that the terminal's Ctrl-C reaches the launcher alone. Its
   /// output goes to read_lines(). Throws CommandError when no process can be made; a program that cannot be executed
   /// ends at once and says why.
-  ChildProcess(const std::string& path, const std::vector<std::string>& arguments);
+  ModuleProcess(const std::string& path, const std::vector<std::string>& arguments);
 
   /// Kills it where it still lives.
-  ~ChildProcess();
-  ChildProcess(const ChildProcess&) = delete;
-  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ModuleProcess();
+  ModuleProcess(const ModuleProcess&) = delete;
+  ModuleProcess& operator=(const ModuleProcess&) = delete;
 
   pid_t pid() const { return pid_; }
 

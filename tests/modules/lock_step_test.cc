@@ -1,0 +1,219 @@
+// The whole loop in lock step: reproducible, replayable, safe when parts of it die, and planners swapped on the way.
+#include "modules/lockstep/lock_step.h"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <iterator>
+
+#include "modules/lockstep/replay.h"
+#include "modules/lockstep/scenario_run.h"
+#include "modules/lockstep/whole_loop.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace regista;
+
+namespace {
+
+const std::string kCrossing = std::string(REGISTA_SOURCE_DIR) + "/modules/scenarios/crossing.toml";
+constexpr double kPeriod_s = 0.01;  // of vision
+
+std::int64_t no_time() { return 0; }
+
+Config crossing(const std::vector<std::string>& settings) { return Config::load(kCrossing, settings); }
+
+/// A few robots: they rarely meet, so that what is seen is the modules' doing and no collision's.
+Config few_robots() {
+  return crossing({"scenario.robots_per_team=2", "scenario.sim_preset=none", "world_model.latency_s=0",
+                   "world_model.velocity_lag_s=0", "controller.drive_lag_s=0", "scenario.seed=3"});
+}
+
+std::string bytes_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void run_for(LockStep& loop, double seconds) { loop.run_until(loop.now() + from_seconds(seconds)); }
+
+double fastest_mps(const WholeLoop& modules, Team team) {
+  double fastest = 0.0;
+  for (const RobotState& robot : modules.sim->simulator().truth().robots) {
+    if (robot.id.team == team) fastest = std::max(fastest, robot.twist.velocity_mps.norm());
+  }
+  return fastest;
+}
+
+/// The fastest any robot of the team goes at some moment of that time.
+double fastest_during_mps(LockStep& loop, const WholeLoop& modules, Team team, double seconds) {
+  double fastest = 0.0;
+  for (double t = 0.0; t < seconds; t += kPeriod_s) {
+    run_for(loop, kPeriod_s);
+    fastest = std::max(fastest, fastest_mps(modules, team));
+  }
+  return fastest;
+}
+
+/// Where two lists of messages part, for people; empty when they do not.
+std::string first_difference(const Replay& replay) {
+  const std::size_t common = std::min(replay.recorded.size(), replay.replayed.size());
+  for (std::size_t i = 0; i < common; ++i) {
+    if (replay.recorded[i] == replay.replayed[i]) continue;
+    return "message " + std::to_string(i) + ": recorded " + replay.recorded[i].channel + " at " +
+           std::to_string(to_us(replay.recorded[i].received)) + " us, replayed " + replay.replayed[i].channel + " at " +
+           std::to_string(to_us(replay.replayed[i].received)) + " us";
+  }
+  if (replay.recorded.size() == replay.replayed.size()) return "";
+  return std::to_string(replay.recorded.size()) + " recorded, " + std::to_string(replay.replayed.size()) + " replayed";
+}
+
+// From 3 m/s at 4 m/s², after the longest deadline on the way (targets: 1 s).
+constexpr double kStopsWithin_s = 1.0 + 3.0 / 4.0 + 0.5;
+
+}  // namespace
+
+TEST_CASE("same seed, same log, byte for byte; another seed, another log") {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& name, const std::string& seed) {
+    const std::string file = folder.path(name);
+    run_scenario(crossing({"scenario.duration_s=3", seed, "scenario.expect.targets_per_team_min=0"}), {.log_file = file},
+                 real_stopwatch());
+    return bytes_of(file);
+  };
+  const std::string first = run("first.lcmlog", "scenario.seed=5");
+  CHECK(first.size() > 100'000);
+  CHECK(first == run("second.lcmlog", "scenario.seed=5"));
+  CHECK(first != run("third.lcmlog", "scenario.seed=6"));
+}
+
+TEST_CASE("the main job reaches its targets within the rules of the field") {
+  const RunSummary summary = run_scenario(
+      crossing({"scenario.duration_s=20", "scenario.expect.targets_per_team_min=30"}), {}, real_stopwatch());
+  for (const Violation& violation : summary.violations) INFO(to_string(violation));
+  CHECK(summary.violations.empty());
+  CHECK(summary.reached_yellow >= 30);
+  CHECK(summary.reached_blue >= 30);
+}
+
+TEST_CASE("a target that cannot be reached in time breaks the expectation") {
+  const RunSummary summary = run_scenario(
+      crossing({"scenario.duration_s=1", "scenario.expect.targets_per_team_min=30"}), {}, real_stopwatch());
+  CHECK(summary.violations.size() == 2);
+}
+
+TEST_CASE("a log replayed into fresh modules gives the recorded outputs, byte for byte") {
+  const TemporaryFolder folder;
+  const std::string log = folder.path("run.lcmlog");
+  const Config config = crossing({"scenario.duration_s=3", "scenario.expect.targets_per_team_min=0"});
+  run_scenario(config, {.log_file = log}, no_time);
+
+  const auto check = [&](const std::string& outputs, const std::function<void(LockStep&)>& add) {
+    INFO(outputs);
+    const Replay replay = replay_log(log, outputs, add);
+    CHECK(replay.recorded.size() > 50);
+    CHECK(first_difference(replay) == "");
+  };
+  check("WORLD_STATE", [&](LockStep& loop) { add_world_model(loop, config, no_time); });
+  check("TARGETS\\..", [&](LockStep& loop) { add_task(loop, config); });
+  check("(PLAN|GRAPH)\\.Y.*", [&](LockStep& loop) { add_planner(loop, config, Team::yellow, no_time); });
+  check("COMMANDS\\.B", [&](LockStep& loop) { add_controller(loop, config, Team::blue, no_time); });
+  check("(PLAN|GRAPH|COMMANDS)\\..*", [&](LockStep& loop) {
+    for (const Team team : {Team::yellow, Team::blue}) add_planner(loop, config, team, no_time);
+    for (const Team team : {Team::yellow, Team::blue}) add_controller(loop, config, team, no_time);
+  });
+}
+
+TEST_CASE("a replay with another parameter is seen to differ") {
+  const TemporaryFolder folder;
+  const std::string log = folder.path("run.lcmlog");
+  run_scenario(crossing({"scenario.duration_s=2", "scenario.expect.targets_per_team_min=0"}), {.log_file = log}, no_time);
+  const Config other = crossing({"planner.team_margin_m=0.2"});
+  const Replay replay = replay_log(log, "(PLAN|GRAPH)\\.Y.*",
+                                   [&](LockStep& loop) { add_planner(loop, other, Team::yellow, no_time); });
+  CHECK(first_difference(replay) != "");
+}
+
+TEST_CASE("planners are swapped while the robots drive, without a jump") {
+  LockStep loop{Time{}};
+  const WholeLoop modules = add_whole_loop(loop, few_robots(), no_time);
+  Mailbox<Reply> replies(loop.bus(), channels::reply());
+  std::map<RobotId, Vec2> before;
+  const RobotLimits& limits = modules.sim->simulator().params().limits;
+  const double largest_step_mps = std::max(limits.acceleration_max_mps2, limits.braking_max_mps2) * kPeriod_s + 1e-6;
+  std::int64_t id = 1;
+  for (const char* planner : {"rrt", "visibility_sampling_single", "visibility_sampling", "rrt", "visibility_sampling"}) {
+    loop.bus().publish(channels::request(), {loop.now(), id++, "planner.Y", "planner.use", planner, ""});
+    double fastest = 0.0;
+    for (int frame = 0; frame < 150; ++frame) {
+      run_for(loop, kPeriod_s);
+      for (const RobotState& robot : modules.sim->simulator().truth().robots) {
+        const auto last = before.find(robot.id);
+        INFO(planner << ", " << to_string(robot.id) << " at " << to_seconds(loop.now() - Time{}) << " s");
+        if (last != before.end()) REQUIRE((robot.twist.velocity_mps - last->second).norm() <= largest_step_mps);
+        before[robot.id] = robot.twist.velocity_mps;
+      }
+      fastest = std::max(fastest, fastest_mps(modules, Team::yellow));
+    }
+    CHECK(replies.take()->accepted);
+    CHECK(modules.planners.at(Team::yellow)->note() == planner);
+    CHECK(fastest > 1.0);
+  }
+  CHECK(modules.sim->simulator().contacts().empty());  // else the velocities above were not the modules' doing
+  loop.bus().publish(channels::request(), {loop.now(), id, "planner.Y", "planner.use", "teleport", ""});
+  run_for(loop, kPeriod_s);
+  CHECK_FALSE(replies.newest()->accepted);
+  CHECK(replies.newest()->text.find("visibility_sampling_single") != std::string::npos);
+  CHECK(modules.planners.at(Team::yellow)->note() == "visibility_sampling");
+}
+
+TEST_CASE("whatever dies, its robots stop and the others drive on; when it returns, so do they") {
+  const Config config = few_robots();
+  LockStep loop{Time{}};
+  const WholeLoop modules = add_whole_loop(loop, config, no_time);
+  run_for(loop, 2.0);
+  REQUIRE(fastest_during_mps(loop, modules, Team::yellow, 1.5) > 1.0);
+
+  SECTION("planner") {
+    loop.remove(*modules.planners.at(Team::yellow));
+    run_for(loop, kStopsWithin_s);
+    CHECK(fastest_mps(modules, Team::yellow) < 1e-3);
+    CHECK(fastest_during_mps(loop, modules, Team::blue, 1.5) > 1.0);
+    add_planner(loop, config, Team::yellow, no_time);
+  }
+  SECTION("controller") {
+    loop.remove(*modules.controllers.at(Team::yellow));
+    run_for(loop, kStopsWithin_s);
+    CHECK(fastest_mps(modules, Team::yellow) < 1e-3);
+    CHECK(fastest_during_mps(loop, modules, Team::blue, 1.5) > 1.0);
+    add_controller(loop, config, Team::yellow, no_time);
+  }
+  SECTION("world model") {
+    loop.remove(*modules.world_model);
+    run_for(loop, kStopsWithin_s);
+    CHECK(fastest_mps(modules, Team::yellow) < 1e-3);
+    CHECK(fastest_mps(modules, Team::blue) < 1e-3);
+    add_world_model(loop, config, no_time);
+  }
+  SECTION("task") {
+    loop.remove(*modules.task);
+    run_for(loop, kStopsWithin_s);
+    CHECK(fastest_mps(modules, Team::yellow) < 1e-3);
+    CHECK(fastest_mps(modules, Team::blue) < 1e-3);
+    add_task(loop, config);
+  }
+  CHECK(fastest_during_mps(loop, modules, Team::yellow, 3.0) > 1.0);
+  CHECK(fastest_during_mps(loop, modules, Team::blue, 3.0) > 1.0);
+}
+
+TEST_CASE("robots are sent by request and come back to the task") {
+  LockStep loop{Time{}};
+  const WholeLoop modules = add_whole_loop(loop, few_robots(), no_time);
+  run_for(loop, 0.5);
+  loop.bus().publish(channels::request(), {loop.now(), 1, "task", "task.goto", "Y1", "1.5 -2 0.5"});
+  run_for(loop, 8.0);
+  const WorldState truth = modules.sim->simulator().truth();
+  const RobotState* robot = find_robot(truth, {Team::yellow, 1});
+  REQUIRE(robot != nullptr);
+  CHECK((robot->pose.position_m - Vec2(1.5, -2.0)).norm() < 0.02);
+  CHECK(std::abs(wrap_angle(robot->pose.heading_rad - 0.5)) < 0.05);
+  loop.bus().publish(channels::request(), {loop.now(), 2, "task", "task.release", "Y1", ""});
+  CHECK(fastest_during_mps(loop, modules, Team::yellow, 2.0) > 1.0);
+}
