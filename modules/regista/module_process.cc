@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kCannotExecute = 127;         // as shells say it
 constexpr std::size_t kLongestLine = 4096;  // a module that writes no line ends must not fill the memory
+constexpr std::size_t kReadsAtOnce = 64;    // buffers: all that a pipe holds, but no more of one that talks without end
 
 /// Between fork and exec: only calls that are safe there, for LCM has threads.
 [[noreturn]] void become_module(pid_t launcher, int output, char* const* argv) {
@@ -77,7 +78,9 @@ ModuleProcess::~ModuleProcess() {
 std::vector<std::string> ModuleProcess::read_lines() {
   std::vector<std::string> lines;
   std::array<char, 4096> buffer{};
-  for (ssize_t count = 0; (count = read(output_, buffer.data(), buffer.size())) > 0;) {
+  for (std::size_t reads = 0; reads < kReadsAtOnce; ++reads) {
+    const ssize_t count = read(output_, buffer.data(), buffer.size());
+    if (count <= 0) break;
     for (const char c : std::string_view(buffer.data(), static_cast<std::size_t>(count))) {
       if (c != '\n' && partial_.size() < kLongestLine) {
         partial_ += c;

@@ -32,11 +32,11 @@ struct Style {
 Style style_of(const FieldGeometry& field) { return {std::max(1.0, field.length_m / 12.0)}; }
 
 void draw_graph(Drawing& drawing, const GraphPicture& graph, const Style& style) {
-  const Color free = mixed(palette::kGrass, color_of(graph.team), 0.36);
-  const Color node = mixed(palette::kGrass, color_of(graph.team), 0.6);
+  const Color free = mixed(palette::kGrass, color_of(graph.team), 0.42);
+  const Color node = mixed(palette::kGrass, color_of(graph.team), 0.65);
   const std::size_t nodes = graph.nodes.size();
   for (const GraphEdge& edge : graph.edges) {
-    // Blocked edges are left out: a graph has many more of them than free ones, and no path can use them.
+    // Blocked edges are left out: they outnumber the free ones so much that they would smear over the field.
     if (edge.blocked || edge.from >= nodes || edge.to >= nodes) continue;
     add_segment(drawing, graph.nodes[edge.from], graph.nodes[edge.to], style.edge_m, {layers::kGraph_m, free});
   }

@@ -42,7 +42,7 @@ void replace(COpenGLScene& target, const std::string& name, const CSetOfTriangle
 
 constexpr double kLineSpacing = 1.7;
 // MRPT's monospaced letters are as wide as this share of their nominal height.
-constexpr double kLetterWidth = 0.9;
+constexpr double kLetterWidth = 0.93;
 
 void put_text(COpenGLScene& target, const ViewerScene& scene, double text_px) {
   auto viewport = target.getViewport();

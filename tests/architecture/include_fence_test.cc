@@ -85,7 +85,7 @@ TEST_CASE("MRPT is seen by the viewer alone, protobuf by ssl, nanoflann by one f
 
 TEST_CASE("no core reads a clock or draws from a global generator") {
   static const std::regex forbidden(R"((system_clock|steady_clock|high_resolution_clock|random_device|[^_a-z]rand\(\)|std::normal_distribution|std::uniform_real_distribution))");
-  for (const std::string& folder : {"world_model", "planning", "control", "sim"}) {
+  for (const char* folder : {"world_model", "planning", "control", "sim"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(REGISTA_SOURCE_DIR) / folder)) {
       if (!entry.is_regular_file()) continue;
       std::ifstream file(entry.path());

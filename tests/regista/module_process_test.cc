@@ -1,10 +1,10 @@
 // One watched child: its words, its end, and that it never outlives its launcher.
 #include "modules/regista/module_process.h"
 
-#include <catch2/catch.hpp>
 #include <unistd.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <csignal>
 
 #include "tests/regista/program.h"

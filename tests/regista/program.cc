@@ -30,8 +30,8 @@ std::string text_of(const std::string& file) {
 std::string private_bus() {
   static int counter = 0;
   const int pid = getpid();
-  return "udpm://239.255.78." + std::to_string(1 + pid % 250) + ":" + std::to_string(20000 + (pid * 16 + counter++) % 20000) +
-         "?ttl=0&recv_buf_size=8388608";
+  return "udpm://239.255.78." + std::to_string(1 + pid % 250) + ":" +
+         std::to_string(20000 + (pid * 16 + counter++) % 20000) + "?ttl=0&recv_buf_size=8388608";
 }
 
 std::string executable(const std::string& name) { return std::string(REGISTA_BIN_DIR) + "/" + name; }

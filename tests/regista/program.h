@@ -12,7 +12,8 @@
 
 namespace regista {
 
-/// A bus URL of which cmdlines and groups are this test's own: private multicast group and port, never leaving the host.
+/// A bus URL of which cmdlines and groups are this test's own: private multicast group and port, never leaving the
+/// host.
 std::string private_bus();
 
 /// The full path of one of our executables: "regista", "regista-sim".
