@@ -15,6 +15,7 @@ namespace {
 constexpr Duration kStatusFresh = std::chrono::seconds(3);  // modules report once a second
 constexpr Duration kStopWait = std::chrono::seconds(2);
 constexpr Duration kStopPoll = std::chrono::milliseconds(10);
+constexpr std::size_t kLinesAtOnce = 20;  // of one module; one that talks without end must not drown the others
 
 }  // namespace
 
@@ -40,10 +41,12 @@ void Launcher::start(Watched& module) {
 }
 
 void Launcher::relay_output(Watched& module) {
-  for (const std::string& line : module.process->read_lines()) {
-    display_.event(module.spec.name + ": " + line);
-    module.last_line = line;
-  }
+  const std::vector<std::string> lines = module.process->read_lines();
+  if (lines.empty()) return;
+  const std::size_t shown = std::min(lines.size(), kLinesAtOnce);
+  for (std::size_t i = 0; i < shown; ++i) display_.event(module.spec.name + ": " + lines[i]);
+  if (shown < lines.size()) display_.event(fmt::format("{}: … {} more lines", module.spec.name, lines.size() - shown));
+  module.last_line = lines.back();
 }
 
 void Launcher::watch(Watched& module) {

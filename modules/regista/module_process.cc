@@ -22,8 +22,25 @@ constexpr int kCannotExecute = 127;         // as shells say it
 constexpr std::size_t kLongestLine = 4096;  // a module that writes no line ends must not fill the memory
 constexpr std::size_t kReadsAtOnce = 64;    // buffers: all that a pipe holds, but no more of one that talks without end
 
+/// Holds all signals back while it lives, so that none meant for a child is taken by the launcher's handler in it.
+class SignalsHeld {
+ public:
+  SignalsHeld() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~SignalsHeld() { release(); }
+  SignalsHeld(const SignalsHeld&) = delete;
+  SignalsHeld& operator=(const SignalsHeld&) = delete;
+  void release() const { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+
+ private:
+  sigset_t before_{};
+};
+
 /// Between fork and exec: only calls that are safe there, for LCM has threads.
-[[noreturn]] void become_module(pid_t launcher, int output, char* const* argv) {
+[[noreturn]] void become_module(pid_t launcher, int output, char* const* argv, const SignalsHeld& signals) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != launcher) _exit(kCannotExecute);  // the launcher died before the line above
@@ -31,6 +48,8 @@ constexpr std::size_t kReadsAtOnce = 64;    // buffers: all that a pipe holds, b
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) signal(signal_number, SIG_DFL);
+  signals.release();
   close_range(STDERR_FILENO + 1, ~0U, 0);  // LCM's sockets are the launcher's
   execv(argv[0], argv);
   const char* why = std::strerror(errno);
@@ -56,8 +75,11 @@ ModuleProcess::ModuleProcess(const std::string& path, const std::vector<std::str
   // The child's end must block, or its output would get lost when the launcher is slow.
   fcntl(pipe_ends[1], F_SETFL, 0);
   const pid_t launcher = getpid();
-  pid_ = fork();
-  if (pid_ == 0) become_module(launcher, pipe_ends[1], argv.data());
+  {
+    const SignalsHeld signals;
+    pid_ = fork();
+    if (pid_ == 0) become_module(launcher, pipe_ends[1], argv.data(), signals);
+  }
   close(pipe_ends[1]);
   output_ = pipe_ends[0];
   if (pid_ < 0) {

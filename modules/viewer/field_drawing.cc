@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "modules/viewer/layers.h"
 #include "modules/viewer/scene_drawing.h"
 

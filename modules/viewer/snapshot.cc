@@ -43,13 +43,18 @@ void await_picture(ViewerModule& module, ProcessLoop& loop, const Bus& bus, Snap
   } while (!trigger.due(module.heard(), module.complete(), bus.now()));
 }
 
+bool play_next(ViewerModule& module, Bus& bus) {
+  if (!bus.handle(kLogEnd)) return false;
+  if (module.ready()) module.tick(bus.now());
+  return true;
+}
+
 void play_until_picture(ViewerModule& module, Bus& bus, SnapshotAt at, const std::string& url,
                         const std::function<bool()>& stopped) {
   SnapshotTrigger trigger(at);
   std::optional<Time> seen;
-  while (bus.handle(kLogEnd)) {
+  while (play_next(module, bus)) {
     check_stopped(stopped);
-    if (module.ready()) module.tick(bus.now());
     const std::optional<Time> now = module.world_time();
     if (!now || now == seen) continue;
     seen = now;

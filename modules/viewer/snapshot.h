@@ -1,4 +1,4 @@
-// When a picture is taken: of a live bus or of a log played through.
+// When a picture is taken, of a live bus or of a log, and how a log is played.
 #pragma once
 
 #include <optional>
@@ -34,6 +34,9 @@ class SnapshotTrigger {
 /// Lets a live bus fill the module until the picture is due. Throws SnapshotError when nothing comes, or when stopped.
 void await_picture(ViewerModule& module, ProcessLoop& loop, const Bus& bus, SnapshotAt at, const std::string& url,
                    const std::function<bool()>& stopped);
+
+/// Hands the module one message of a log that is read at full speed; false at the log's end.
+bool play_next(ViewerModule& module, Bus& bus);
 
 /// Plays a log into the module, as fast as it reads, until the picture is due or the log ends. Throws SnapshotError
 /// when the log holds nothing that can be seen, or when stopped.

@@ -1,5 +1,7 @@
 #include "modules/viewer/view.h"
 
+#include <algorithm>
+
 namespace regista {
 namespace {
 

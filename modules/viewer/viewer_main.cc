@@ -1,5 +1,6 @@
 // regista-viewer: the window, or one picture (--snapshot), or a recording (--record).
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "modules/process/module_main.h"
 #include "modules/viewer/offscreen.h"
@@ -39,7 +40,8 @@ void add_flags(CLI::App& app, Flags& flags) {
                  "plans of all teams with targets have come in, at most 2 s")
       ->needs(snapshot)
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--record", flags.record, "write robots and scene to this .rawlog file; without display until SIGINT")
+  app.add_option("--record", flags.record,
+                 "write robots and scene to this .rawlog file; without a display until SIGINT, or to the end of a log")
       ->excludes(snapshot);
   app.add_option("--size", flags.size, "of the picture or window in pixels")
       ->capture_default_str()
@@ -55,45 +57,76 @@ bool has_display() {
   }
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// What lives as long as the program runs.
+struct Viewing {
   Flags flags;
   std::string url;
   Bus* bus = nullptr;
   std::unique_ptr<RawlogRecorder> recorder;
 
+  bool takes_picture() const { return !flags.snapshot.empty(); }
+  bool shows_window() const { return !takes_picture() && has_display(); }
+
+  /// Without a window nobody watches the log's own pace.
+  std::string open_url(const std::string& given) { return url = shows_window() ? given : at_full_speed(given); }
+
+  std::unique_ptr<Module> make(const ModuleContext& context) {
+    read_size(flags.size, flags);
+    bus = &context.bus;
+    if (!flags.record.empty()) {
+      recorder = std::make_unique<RawlogRecorder>(flags.record);
+      return std::make_unique<ViewerModule>(context.bus, [this](const ViewerScene& scene) { recorder->record(scene); });
+    }
+    if (!takes_picture()) require_display();
+    return std::make_unique<ViewerModule>(context.bus);
+  }
+
+  void run(ViewerModule& module, ProcessLoop& loop, const std::function<bool()>& stopped) {
+    if (takes_picture()) {
+      take_picture(module, loop, stopped);
+    } else if (shows_window()) {
+      const auto take_in = [&loop] { loop.step(Duration::zero()); };
+      const auto scene = [&module] { return module.scene(); };
+      show_window({take_in, scene, stopped}, flags.width_px, flags.height_px);
+    } else {
+      record(module, loop, stopped);
+    }
+  }
+
+  void take_picture(ViewerModule& module, ProcessLoop& loop, const std::function<bool()>& stopped) {
+    if (is_log(url)) {
+      play_until_picture(module, *bus, flags.at, url, stopped);
+    } else {
+      await_picture(module, loop, *bus, flags.at, url, stopped);
+    }
+    write_picture(module.scene(), flags.snapshot, flags.width_px, flags.height_px);
+  }
+
+  void record(ViewerModule& module, ProcessLoop& loop, const std::function<bool()>& stopped) {
+    constexpr Duration kLongestWait = std::chrono::milliseconds(100);
+    const bool log = is_log(url);
+    while (!stopped()) {
+      if (!log) {
+        loop.step(kLongestWait);
+      } else if (!play_next(module, *bus)) {
+        return;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Viewing viewing;
   ModuleProgram program;
   program.name = "viewer";
   program.help = "Shows field, robots, targets, paths, the shared graphs and planning times.";
-  program.add_flags = [&](CLI::App& app) { add_flags(app, flags); };
-  program.bus_url = [&](const std::string& given) {
-    return url = flags.snapshot.empty() ? given : at_full_speed(given);
-  };
-  program.make = [&](const ModuleContext& context) -> std::unique_ptr<Module> {
-    read_size(flags.size, flags);
-    bus = &context.bus;
-    if (flags.snapshot.empty() && flags.record.empty()) require_display();
-    if (flags.record.empty()) return std::make_unique<ViewerModule>(context.bus);
-    recorder = std::make_unique<RawlogRecorder>(flags.record);
-    return std::make_unique<ViewerModule>(context.bus, [&](const ViewerScene& scene) { recorder->record(scene); });
-  };
+  program.add_flags = [&](CLI::App& app) { add_flags(app, viewing.flags); };
+  program.bus_url = [&](const std::string& given) { return viewing.open_url(given); };
+  program.make = [&](const ModuleContext& context) { return viewing.make(context); };
   program.run = [&](Module& module, ProcessLoop& loop, const std::function<bool()>& stopped) {
-    auto& viewer = dynamic_cast<ViewerModule&>(module);
-    if (!flags.snapshot.empty()) {
-      if (is_log(url)) {
-        play_until_picture(viewer, *bus, flags.at, url, stopped);
-      } else {
-        await_picture(viewer, loop, *bus, flags.at, url, stopped);
-      }
-      write_picture(viewer.scene(), flags.snapshot, flags.width_px, flags.height_px);
-    } else if (has_display()) {
-      const auto take_in = [&] { loop.step(Duration::zero()); };
-      show_window({take_in, [&] { return viewer.scene(); }, stopped}, flags.width_px, flags.height_px);
-    } else {
-      constexpr Duration kLongestWait = std::chrono::milliseconds(100);
-      while (!stopped()) loop.step(kLongestWait);
-    }
+    viewing.run(dynamic_cast<ViewerModule&>(module), loop, stopped);
   };
   return module_main(program, argc, argv);
 }

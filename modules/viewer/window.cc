@@ -2,8 +2,10 @@
 
 #include <mrpt/gui/CDisplayWindowGUI.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 
 #include "modules/viewer/scene_builder.h"
 

@@ -35,6 +35,15 @@ TEST_CASE("it is told how a process ended") {
   CHECK(missing.read_lines() == std::vector<std::string>{"No such file or directory"});
 }
 
+TEST_CASE("a signal right after the start is not lost between fork and exec") {
+  for (int round = 0; round < 50; ++round) {
+    ModuleProcess process("/bin/sh", {"-c", "while :; do sleep 0.05; done"});
+    process.send(SIGTERM);
+    REQUIRE(eventually([&] { return process.end().has_value(); }));
+    REQUIRE(*process.end() == "was killed by signal 15");
+  }
+}
+
 TEST_CASE("a line without end fills no memory") {
   ModuleProcess process("/bin/sh", {"-c", "head -c 100000 /dev/zero | tr '\\0' x"});
   std::size_t longest = 0, sum = 0;

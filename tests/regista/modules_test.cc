@@ -1,9 +1,9 @@
 // The whole system as processes over real multicast: up, swapping a planner, killing, recording, replaying, ending.
-#include <atomic>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <map>
 #include <mutex>
-#include <set>
 #include <thread>
 
 #include "logs/log_compare.h"

@@ -5,8 +5,8 @@
 
 namespace regista {
 
-/// Robots on two columns per team, every robot's target on the other half, a path with one bend between. Yellow Y0 at
-/// (-5, -3.5), numbers counting up along y.
+/// Each team in its half, its numbers counting up along y; every robot's target across the field, its path with one
+/// bend.
 ViewerScene fake_scene();
 
 /// The parts of it, for tests that build their own.

@@ -218,6 +218,26 @@ TEST_CASE("--record writes a rawlog that rawlog-edit reads, complete after SIGIN
   CHECK(observations_of(info.output, kScenes) >= 2);
 }
 
+TEST_CASE("--record of a log ends with the log and holds every world state of it") {
+  const TemporaryFolder scratch;
+  ViewerScene scene = fake_scene();
+  {
+    Bus log("file://" + scratch.path("run.lcmlog") + "?mode=w", [] { return Time{}; });
+    for (int i = 0; i < 250; ++i) {
+      publish_scene(log, scene);
+      scene.world.captured += 10ms;
+    }
+  }
+  const RunResult result =
+      run({kViewer, "--lcm-url", "file://" + scratch.path("run.lcmlog"), "--record", scratch.path("run.rawlog")},
+          {"DISPLAY"});
+  INFO(result.output);
+  REQUIRE(result.status == 0);
+  const RunResult info = run({"rawlog-edit", "--info", "-i", scratch.path("run.rawlog"), "-q"});
+  CHECK(observations_of(info.output, "Y3") == 250);
+  CHECK(observations_of(info.output, "") == 3);
+}
+
 TEST_CASE("what cannot be is said in one line, with the exit status") {
   const TemporaryFolder scratch;
   const auto refused = [](const RunResult& result, int status, const std::string& text) {
