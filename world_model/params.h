@@ -1,5 +1,6 @@
 // Parameters: a struct lists its fields once, in `visit`, and gets parsing, listing, range checks and nearest-name
-// advice from here. A field is `v("key", field, Range{lo, hi}, "unit", "help")`; a nested struct `v.group("key", field)`.
+// advice from here. A field is `v("key", field, Range{lo, hi}, "unit", "help")`; a nested struct `v.group("key",
+// field)`.
 #pragma once
 
 #include <cstdint>

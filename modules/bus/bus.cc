@@ -14,8 +14,9 @@ constexpr int kQueueCapacity = 1024;
 std::string cannot_open(const std::string& url) {
   std::string text = "cannot open the LCM bus '" + url + "'";
   if (url.starts_with("udpm")) {
-    text += "; if LCM names the multicast route above, run as root: ip link set lo multicast on; "
-            "ip route add 224.0.0.0/4 dev lo";
+    text +=
+        "; if LCM names the multicast route above, run as root: ip link set lo multicast on; "
+        "ip route add 224.0.0.0/4 dev lo";
   }
   return text;
 }

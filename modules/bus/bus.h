@@ -1,5 +1,5 @@
-// The bus a module is handed: typed publishing, raw subscriptions, one message at a time. Owns the lcm::LCM; a transport
-// is a URL (udpm:// between processes, memq:// within one, file:// to read a log).
+// The bus a module is handed: typed publishing, raw subscriptions, one message at a time. Owns the lcm::LCM; a
+// transport is a URL (udpm:// between processes, memq:// within one, file:// to read a log).
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,9 @@ inline Channel<ModuleStatus> status(const std::string& module) { return {"STATUS
 inline Channel<ModuleStatus> statuses() { return {"STATUS\\..*"}; }
 
 /// True for the channels that carry measured durations and process ids, which no two runs share.
-inline bool is_measured(const std::string& channel) { return channel.starts_with("TIMING.") || channel.starts_with("STATUS."); }
+inline bool is_measured(const std::string& channel) {
+  return channel.starts_with("TIMING.") || channel.starts_with("STATUS.");
+}
 
 }  // namespace channels
 }  // namespace regista

@@ -16,9 +16,8 @@ class Listener {
  public:
   Listener(Bus& bus, const Channel<Value>& channel, std::function<void(Value)> on_value)
       : bus_(bus), on_value_(std::move(on_value)) {
-    subscription_ = bus.subscribe_raw(channel.name, [this](const std::string& name, std::span<const std::uint8_t> bytes) {
-      receive(name, bytes);
-    });
+    subscription_ = bus.subscribe_raw(
+        channel.name, [this](const std::string& name, std::span<const std::uint8_t> bytes) { receive(name, bytes); });
     bus_.enroll(&reception_);
   }
   ~Listener() { bus_.dismiss(&reception_); }

@@ -1,5 +1,5 @@
-// What every module is: a deterministic function of the messages it got and the clock it was handed. The same class runs
-// in a process of its own, in lock step with the others, and over a recorded log.
+// What every module is: a deterministic function of the messages it got and the clock it was handed. The same class
+// runs in a process of its own, in lock step with the others, and over a recorded log.
 //
 // Laws: tick() reads mailboxes and publishes; it never blocks, sleeps or reads a clock. A module is ticked when ready()
 // or when now >= due(), and after tick(now) its due() lies after now. Requests are served before the work.

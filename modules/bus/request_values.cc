@@ -13,8 +13,7 @@ RobotId parse_robot(const std::string& text) {
   const char* begin = text.data() + 1;
   const char* end = text.data() + text.size();
   const bool has_team = text.size() >= 2 && (text[0] == 'Y' || text[0] == 'B');
-  if (!has_team || std::from_chars(begin, end, number).ec != std::errc{} ||
-      std::to_string(number) != text.substr(1)) {
+  if (!has_team || std::from_chars(begin, end, number).ec != std::errc{} || std::to_string(number) != text.substr(1)) {
     throw RequestRefused("'" + text + "' is no robot, write for example Y3 or B11");
   }
   return {text[0] == 'Y' ? Team::yellow : Team::blue, number};

@@ -56,14 +56,14 @@ struct ModuleStatus {
   std::string host;
   std::int32_t pid = 0;
   Duration uptime{};
-  double rate_hz = 0.0;           ///< ticks per second over the last second
-  std::int64_t tick_p50_ns = 0;   ///< over the last second
-  std::int64_t tick_p99_ns = 0;   ///< over the last second
-  std::int64_t received = 0;      ///< messages taken since start
-  std::int64_t skipped = 0;       ///< messages replaced by newer ones before a tick read them
-  std::int64_t refused = 0;       ///< malformed messages
+  double rate_hz = 0.0;          ///< ticks per second over the last second
+  std::int64_t tick_p50_ns = 0;  ///< over the last second
+  std::int64_t tick_p99_ns = 0;  ///< over the last second
+  std::int64_t received = 0;     ///< messages taken since start
+  std::int64_t skipped = 0;      ///< messages replaced by newer ones before a tick read them
+  std::int64_t refused = 0;      ///< malformed messages
   std::int64_t parameters_fingerprint = 0;
-  std::string note;               ///< one line for people
+  std::string note;  ///< one line for people
   bool operator==(const ModuleStatus&) const = default;
 };
 

@@ -35,7 +35,8 @@ double finite(double value, const char* field) {
 
 double at_least(double value, double low, const char* field) {
   if (!(finite(value, field) >= low)) {
-    throw MessageError(std::string(field) + " is " + std::to_string(value) + ", must be at least " + std::to_string(low));
+    throw MessageError(std::string(field) + " is " + std::to_string(value) + ", must be at least " +
+                       std::to_string(low));
   }
   return value;
 }

@@ -6,12 +6,9 @@ namespace regista {
 namespace {
 
 target_t to_message(const Target& target) {
-  return {number_code(target.robot),
-          target.pose.position_m.x(),
-          target.pose.position_m.y(),
-          target.pose.heading_rad,
-          target.speed_max_mps,
-          static_cast<std::int8_t>(target.may_enter_own_area ? 1 : 0)};
+  return {number_code(target.robot),  target.pose.position_m.x(),
+          target.pose.position_m.y(), target.pose.heading_rad,
+          target.speed_max_mps,       static_cast<std::int8_t>(target.may_enter_own_area ? 1 : 0)};
 }
 
 Target from_message(const target_t& message) {

@@ -16,12 +16,9 @@ request_t MessageOf<Request>::to_message(const Request& request) {
 }
 
 Request MessageOf<Request>::from_message(const request_t& message) {
-  return {time_from(message.stamp_us),
-          message.id,
-          text_from(message.module, "module"),
-          text_from(message.verb, "verb"),
-          text_from(message.key, "key"),
-          text_from(message.value, "value")};
+  return {time_from(message.stamp_us),         message.id,
+          text_from(message.module, "module"), text_from(message.verb, "verb"),
+          text_from(message.key, "key"),       text_from(message.value, "value")};
 }
 
 reply_t MessageOf<Reply>::to_message(const Reply& reply) {
@@ -51,7 +48,8 @@ timing_t MessageOf<Timing>::to_message(const Timing& timing) {
 
 Timing MessageOf<Timing>::from_message(const timing_t& message) {
   Timing timing{time_from(message.stamp_us), text_from(message.module, "module"), message.tick_ns, {}};
-  for (const robot_time_t& robot : message.robots) timing.robots.push_back({number_from(robot.robot), robot.duration_ns});
+  for (const robot_time_t& robot : message.robots)
+    timing.robots.push_back({number_from(robot.robot), robot.duration_ns});
   return timing;
 }
 

@@ -6,18 +6,10 @@ namespace regista {
 namespace {
 
 robot_state_t to_message(const RobotState& robot) {
-  return {team_code(robot.id.team),
-          number_code(robot.id.number),
-          robot.pose.position_m.x(),
-          robot.pose.position_m.y(),
-          robot.pose.heading_rad,
-          robot.twist.velocity_mps.x(),
-          robot.twist.velocity_mps.y(),
-          robot.twist.angular_radps,
-          robot.position_variance_m2,
-          robot.velocity_variance_m2ps2,
-          robot.heading_variance_rad2,
-          robot.age.count()};
+  return {team_code(robot.id.team),      number_code(robot.id.number), robot.pose.position_m.x(),
+          robot.pose.position_m.y(),     robot.pose.heading_rad,       robot.twist.velocity_mps.x(),
+          robot.twist.velocity_mps.y(),  robot.twist.angular_radps,    robot.position_variance_m2,
+          robot.velocity_variance_m2ps2, robot.heading_variance_rad2,  robot.age.count()};
 }
 
 RobotState from_message(const robot_state_t& message) {
@@ -33,7 +25,7 @@ RobotState from_message(const robot_state_t& message) {
 }
 
 ball_state_t to_message(const BallState& ball) {
-  return {ball.position_m.x(),        ball.position_m.y(),          ball.velocity_mps.x(), ball.velocity_mps.y(),
+  return {ball.position_m.x(),       ball.position_m.y(),          ball.velocity_mps.x(), ball.velocity_mps.y(),
           ball.position_variance_m2, ball.velocity_variance_m2ps2, ball.age.count()};
 }
 

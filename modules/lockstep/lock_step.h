@@ -1,7 +1,7 @@
-// All modules in one thread over one memq:// bus on a simulated clock: a discrete-event loop. Messages are handed out one
-// at a time, in the order they were published; after each, the modules that are ready tick, in the order they were added;
-// when none is left the clock jumps to the next moment a module is due. Same modules, same messages: same run, bit for
-// bit, as fast as the machine can.
+// All modules in one thread over one memq:// bus on a simulated clock: a discrete-event loop. Messages are handed out
+// one at a time, in the order they were published; after each, the modules that are ready tick, in the order they were
+// added; when none is left the clock jumps to the next moment a module is due. Same modules, same messages: same run,
+// bit for bit, as fast as the machine can.
 #pragma once
 
 #include <memory>

@@ -15,9 +15,10 @@ constexpr Duration kProgressEvery = std::chrono::seconds(1);
 class Recorder {
  public:
   Recorder(LockStep& loop, const std::string& file) : writer_(file) {
-    tap_ = loop.bus().subscribe_raw(".*", [this, &loop](const std::string& channel, std::span<const std::uint8_t> bytes) {
-      if (!channels::is_measured(channel)) writer_.write(loop.now(), channel, bytes);
-    });
+    tap_ =
+        loop.bus().subscribe_raw(".*", [this, &loop](const std::string& channel, std::span<const std::uint8_t> bytes) {
+          if (!channels::is_measured(channel)) writer_.write(loop.now(), channel, bytes);
+        });
   }
   void close() { writer_.close(); }
 
@@ -55,16 +56,6 @@ void note_score(RunSummary& summary, const WholeLoop& modules) {
 }
 
 }  // namespace
-
-Percentiles percentiles(std::vector<std::int64_t> times_ns) {
-  if (times_ns.empty()) return {};
-  std::sort(times_ns.begin(), times_ns.end());
-  const auto at = [&](double share) {
-    const auto rank = static_cast<std::size_t>(share * static_cast<double>(times_ns.size() - 1) + 0.5);
-    return static_cast<double>(times_ns[rank]) * 1e-3;
-  };
-  return {at(0.50), at(0.99), at(1.0), times_ns.size()};
-}
 
 RunSummary run_scenario(const Config& config, const RunOptions& options, const Stopwatch& stopwatch) {
   RunSummary summary;

@@ -6,21 +6,11 @@
 #include <vector>
 
 #include "modules/process/config.h"
+#include "modules/process/percentiles.h"
 #include "modules/process/real_clock.h"
 #include "sim/validators.h"
 
 namespace regista {
-
-/// Of measured times, in microseconds.
-struct Percentiles {
-  double p50_us = 0.0;
-  double p99_us = 0.0;
-  double max_us = 0.0;
-  std::size_t count = 0;
-};
-
-/// Of single shots in nanoseconds, in any order; nearest rank.
-Percentiles percentiles(std::vector<std::int64_t> times_ns);
 
 struct RunSummary {
   Scenario scenario;

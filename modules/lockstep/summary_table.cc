@@ -6,23 +6,25 @@ namespace regista {
 namespace {
 
 std::string times(const char* what, const Percentiles& p) {
-  return fmt::format("  {:<28} {:>10.1f} {:>10.1f} {:>10.1f} {:>10}\n", what, p.p50_us, p.p99_us, p.max_us, p.count);
+  const auto us = [](std::int64_t ns) { return static_cast<double>(ns) * 1e-3; };
+  return fmt::format("  {:<28} {:>10.1f} {:>10.1f} {:>10.1f} {:>10}\n", what, us(p.p50_ns), us(p.p99_ns), us(p.max_ns),
+                     p.count);
 }
 
 }  // namespace
 
 std::string to_table(const RunSummary& summary) {
   const ContactCounts& contacts = summary.contacts;
-  std::string table = fmt::format("{}: {} against {}, {:.1f} s simulated in {:.2f} s, {:.1f} times real time\n",
-                                  summary.scenario.name, summary.scenario.robots_per_team,
-                                  summary.scenario.robots_per_team, summary.simulated_s, summary.wall_s,
-                                  summary.wall_s > 0.0 ? summary.simulated_s / summary.wall_s : 0.0);
+  std::string table =
+      fmt::format("{}: {} against {}, {:.1f} s simulated in {:.2f} s, {:.1f} times real time\n", summary.scenario.name,
+                  summary.scenario.robots_per_team, summary.scenario.robots_per_team, summary.simulated_s,
+                  summary.wall_s, summary.wall_s > 0.0 ? summary.simulated_s / summary.wall_s : 0.0);
   table += fmt::format("  {:<28} {:>10} {:>10}\n", "", "yellow", "blue");
   table += fmt::format("  {:<28} {:>10} {:>10}\n", "targets reached", summary.reached_yellow, summary.reached_blue);
   table += fmt::format("  {:<28} {:>10} {:>10}\n", "contacts inside the team", contacts.own_yellow, contacts.own_blue);
   table += fmt::format("  {:<28} {:>10} {:>10}\n", "contacts with opponents", contacts.opponent, contacts.opponent);
-  table += fmt::format("  {:<28} {:>10} {:>10}\n", "  of these at fault", contacts.at_fault_yellow,
-                       contacts.at_fault_blue);
+  table +=
+      fmt::format("  {:<28} {:>10} {:>10}\n", "  of these at fault", contacts.at_fault_yellow, contacts.at_fault_blue);
   table += fmt::format("  {:<28} {:>10} {:>10} {:>10} {:>10}\n", "time in us", "p50", "p99", "max", "count");
   table += times("planning, one robot", summary.robot_planning);
   table += times("planning, a team", summary.team_planning);

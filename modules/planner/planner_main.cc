@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
                           [](const ModuleContext& context) {
                             PlannerModuleParams params;
                             context.config.apply("planner", params, name(context.team));
-                            return std::make_unique<PlannerModule>(context.bus, context.team, params, context.stopwatch);
+                            return std::make_unique<PlannerModule>(context.bus, context.team, params,
+                                                                   context.stopwatch);
                           }},
                      argc, argv);
 }

@@ -66,7 +66,8 @@ void PlannerModule::on_tick(Time) {
 }
 
 void PlannerModule::publish_graph(const WorldState& world) {
-  if (graph_published_ && world.captured >= *graph_published_ && world.captured - *graph_published_ < kGraphEvery) return;
+  if (graph_published_ && world.captured >= *graph_published_ && world.captured - *graph_published_ < kGraphEvery)
+    return;
   graph_published_ = world.captured;
   bus().publish(channels::graph(team_), planner_.picture());
 }

@@ -1,5 +1,5 @@
-// WORLD_STATE, GEOMETRY and TARGETS in, one PLAN per robot of a team out, from the graph the team shares. The planner is
-// swapped between ticks by the request "planner.use".
+// WORLD_STATE, GEOMETRY and TARGETS in, one PLAN per robot of a team out, from the graph the team shares. The planner
+// is swapped between ticks by the request "planner.use".
 #pragma once
 
 #include "modules/bus/module.h"

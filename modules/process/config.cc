@@ -1,10 +1,11 @@
 #include "modules/process/config.h"
 
+#include <toml++/toml.h>
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
-#include <toml++/toml.h>
 
 namespace regista {
 namespace {
@@ -20,7 +21,8 @@ std::string text_of(const toml::node& node, const std::string& key) {
   throw ConfigError(key + " must be a string, a number or true/false");
 }
 
-void flatten(const toml::table& table, const std::string& prefix, std::vector<std::pair<std::string, std::string>>& out) {
+void flatten(const toml::table& table, const std::string& prefix,
+             std::vector<std::pair<std::string, std::string>>& out) {
   for (const auto& [name, node] : table) {
     const std::string key = prefix + std::string(name.str());
     if (const toml::table* inner = node.as_table()) {
@@ -64,7 +66,8 @@ Config Config::load(const std::string& path, const std::vector<std::string>& set
 void Config::check_sections() const {
   for (const auto& [key, text] : entries_) {
     const std::string section = key.substr(0, key.find('.'));
-    if (key.find('.') == std::string::npos || std::find(kSections.begin(), kSections.end(), section) == kSections.end()) {
+    if (key.find('.') == std::string::npos ||
+        std::find(kSections.begin(), kSections.end(), section) == kSections.end()) {
       std::string known;
       for (const std::string_view name : kSections) known += (known.empty() ? "" : ", ") + std::string(name);
       throw ConfigError(origin_ + "'" + key + "' belongs to no section, known sections: " + known);

@@ -52,7 +52,8 @@ class Config {
   std::vector<Entry> entries_;
 };
 
-/// The file of a shipped scenario's name, or the name itself where it names a file. Throws ConfigError listing the names.
+/// The file of a shipped scenario's name, or the name itself where it names a file. Throws ConfigError listing the
+/// names.
 std::string scenario_file(const std::string& name_or_path);
 
 /// Names of the scenarios shipped beside the program, sorted.

@@ -24,9 +24,9 @@ struct ModuleContext {
 };
 
 struct ModuleProgram {
-  std::string name;      ///< the executable is regista-<name>
-  std::string help;      ///< what it does, one sentence
-  bool per_team = false; ///< takes --team Y|B
+  std::string name;       ///< the executable is regista-<name>
+  std::string help;       ///< what it does, one sentence
+  bool per_team = false;  ///< takes --team Y|B
   std::function<std::unique_ptr<Module>(const ModuleContext&)> make;
   std::function<void(CLI::App&)> add_flags = {};  ///< the program's own flags, parsed before make
   /// The bus to open, from the one given; for a program that reads a log its own way.

@@ -28,7 +28,7 @@ Launcher::Launcher(Bus& bus, const std::vector<ChildSpec>& specs, const std::str
     const std::string path = folder_ + "/" + spec.program;
     if (access(path.c_str(), X_OK) != 0) throw CommandError("no program " + path + ": build it, or leave it out");
   }
-  for (const ChildSpec& spec : specs) modules_.push_back({spec, {}, nullptr, {}, {}, {}});
+  for (const ChildSpec& spec : specs) modules_.push_back({spec, {}, nullptr, {}, {}, false, {}});
   for (Watched& module : modules_) start(module);
 }
 
@@ -49,21 +49,28 @@ void Launcher::relay_output(Watched& module) {
   module.last_line = lines.back();
 }
 
-void Launcher::watch(Watched& module) {
-  const Time now = bus_.now();
-  if (module.process) {
-    const auto end = module.process->end();
-    relay_output(module);
-    if (!end) return;
-    module.process.reset();
-    module.restart_at = module.policy.died(now);
-    display_.event(fmt::format("{} {}, {}", module.spec.name, *end,
-                               module.restart_at
-                                   ? "starting it again"
-                                   : fmt::format("given up after {} quick deaths in a row; its last words: {}",
-                                                 RestartPolicy::kGiveUpAfter, module.last_line)));
+void Launcher::bury(Watched& module, const ProcessEnd& end) {
+  module.process.reset();
+  module.left = end.in_order && module.spec.may_end;
+  if (module.left) {
+    display_.event(module.spec.name + " was closed");
+    return;
   }
-  if (module.restart_at && now >= *module.restart_at) start(module);
+  module.restart_at = module.policy.died(bus_.now());
+  display_.event(
+      fmt::format("{} {}, {}", module.spec.name, end.text, module.restart_at ? "starting it again" : "given up"));
+  if (module.restart_at) return;
+  display_.event(fmt::format("{} died quickly {} times in a row; its last words: {}", module.spec.name,
+                             RestartPolicy::kGiveUpAfter, module.last_line));
+}
+
+void Launcher::watch(Watched& module) {
+  if (module.process) {
+    const std::optional<ProcessEnd> end = module.process->end();
+    relay_output(module);
+    if (end) bury(module, *end);
+  }
+  if (module.restart_at && bus_.now() >= *module.restart_at) start(module);
 }
 
 void Launcher::step(Duration wait) {
@@ -105,7 +112,8 @@ std::size_t Launcher::given_up() const {
 }
 
 ModuleRow Launcher::row_of(const Watched& module) const {
-  ModuleRow row{module.spec.name, {}, module.policy.given_up() ? "given up" : "restarting", {}, {}, module.last_line};
+  const char* state = module.left ? "closed" : module.policy.given_up() ? "given up" : "restarting";
+  ModuleRow row{module.spec.name, {}, state, {}, {}, module.last_line};
   if (!module.process) return row;
   const Time now = bus_.now();
   row.pid = module.process->pid();

@@ -9,8 +9,8 @@
 
 #include "modules/bus/mailbox.h"
 #include "modules/convert/service.h"
-#include "modules/regista/module_process.h"
 #include "modules/regista/display.h"
+#include "modules/regista/module_process.h"
 #include "modules/regista/module_set.h"
 #include "modules/regista/restart_policy.h"
 
@@ -38,6 +38,7 @@ class Launcher {
     std::unique_ptr<ModuleProcess> process;  ///< nullptr while it is dead
     Time started{};
     std::optional<Time> restart_at;
+    bool left = false;      ///< it ended in order and may
     std::string last_line;  ///< it wrote
   };
   struct Report {
@@ -47,6 +48,7 @@ class Launcher {
 
   void start(Watched& module);
   void watch(Watched& module);
+  void bury(Watched& module, const ProcessEnd& end);
   void relay_output(Watched& module);
   bool all_ended();
   std::vector<ModuleRow> rows() const;

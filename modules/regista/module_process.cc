@@ -57,9 +57,9 @@ class SignalsHeld {
   _exit(kCannotExecute);
 }
 
-std::string describe(int status) {
-  if (WIFSIGNALED(status)) return "was killed by signal " + std::to_string(WTERMSIG(status));
-  return "ended with status " + std::to_string(WEXITSTATUS(status));
+ProcessEnd describe(int status) {
+  if (WIFSIGNALED(status)) return {false, "was killed by signal " + std::to_string(WTERMSIG(status))};
+  return {WEXITSTATUS(status) == 0, "ended with status " + std::to_string(WEXITSTATUS(status))};
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ std::vector<std::string> ModuleProcess::read_lines() {
   return lines;
 }
 
-const std::optional<std::string>& ModuleProcess::end() {
+const std::optional<ProcessEnd>& ModuleProcess::end() {
   int status = 0;
   if (!end_ && waitpid(pid_, &status, WNOHANG) == pid_) end_ = describe(status);
   return end_;

@@ -10,6 +10,11 @@
 
 namespace regista {
 
+struct ProcessEnd {
+  bool in_order = false;  ///< exit status 0
+  std::string text;       ///< "ended with status 1" or "was killed by signal 9"
+};
+
 class ModuleProcess {
  public:
   /// Starts the program in a process group of its own, so that the terminal's Ctrl-C reaches the launcher alone. Its
@@ -27,8 +32,8 @@ class ModuleProcess {
   /// Whole lines it has written to stdout and stderr since the last call; after its end the rest as well. Never waits.
   std::vector<std::string> read_lines();
 
-  /// Nothing while it lives, else "ended with status 1" or "was killed by signal 9". Never waits.
-  const std::optional<std::string>& end();
+  /// Nothing while it lives. Never waits.
+  const std::optional<ProcessEnd>& end();
 
   /// To it and its own children; of no effect after its end.
   void send(int signal) const;
@@ -37,7 +42,7 @@ class ModuleProcess {
   pid_t pid_ = -1;
   int output_ = -1;  ///< read end of its output
   std::string partial_;
-  std::optional<std::string> end_;
+  std::optional<ProcessEnd> end_;
 };
 
 }  // namespace regista

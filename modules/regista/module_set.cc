@@ -14,7 +14,10 @@ bool is_wanted(const std::string& module, const LaunchOptions& options) {
 }
 
 ChildSpec spec_of(const std::string& module, const std::string& team, const LaunchOptions& options) {
-  ChildSpec spec{module + (team.empty() ? "" : "." + team), "regista-" + module, {"--lcm-url", options.lcm_url}};
+  ChildSpec spec{module + (team.empty() ? "" : "." + team),
+                 "regista-" + module,
+                 {"--lcm-url", options.lcm_url},
+                 module == "viewer"};
   const auto add = [&spec](const std::string& flag, const std::string& value) {
     spec.arguments.push_back(flag);
     spec.arguments.push_back(value);

@@ -10,6 +10,7 @@ struct ChildSpec {
   std::string name;     ///< as in STATUS: "planner.Y"
   std::string program;  ///< "regista-planner", in the folder of the running executable
   std::vector<std::string> arguments;
+  bool may_end = false;  ///< when it ends in order by itself, somebody wanted that: a window was closed
   bool operator==(const ChildSpec&) const = default;
 };
 

@@ -70,7 +70,7 @@ Bounds bounds_of(const json& query, double radius_m) {
   const Vec2 margin = margin_of(field);
   geometry.margin_goal_line_m = margin.x();
   geometry.margin_touch_line_m = margin.y();
-  const Bounds bounds{half_extent(geometry, radius_m)};
+  Bounds bounds{half_extent(geometry, radius_m)};
   if (bounds.half_extent_m.minCoeff() < 0.0) fail("field", "has no room for a robot of that radius");
   return bounds;
 }
@@ -105,7 +105,7 @@ std::vector<std::size_t> ignored_of(const json& robot, std::size_t obstacles, co
   const auto found = robot.find("ignore");
   if (found == robot.end()) return ignored;
   for (const json& index : list(*found, where + "ignore")) {
-    if (!index.is_number_integer() || index < 0 || index >= obstacles) {
+    if (!index.is_number_unsigned() || index.get<std::size_t>() >= obstacles) {
       fail(where + "ignore", index.dump() + " is no index of an obstacle, there are " + std::to_string(obstacles));
     }
     ignored.push_back(index.get<std::size_t>());
@@ -129,7 +129,7 @@ PlanRequest request_of(const json& robot, std::size_t obstacles, std::uint64_t s
 std::uint64_t seed_of(const json& query) {
   const auto found = query.find("seed");
   if (found == query.end()) return 1;
-  if (!found->is_number_integer() || *found < 0) fail("seed", "must be a whole number, at least 0");
+  if (!found->is_number_unsigned()) fail("seed", "must be a whole number, at least 0");
   return found->get<std::uint64_t>();
 }
 

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -25,7 +26,7 @@ struct Options {
 void show_progress(double simulated_s, const RunSummary& so_far) {
   constexpr int kEvery_s = 10;
   const bool terminal = isatty(STDOUT_FILENO) == 1;
-  if (!terminal && static_cast<long>(simulated_s + 0.5) % kEvery_s != 0) return;
+  if (!terminal && std::lround(simulated_s) % kEvery_s != 0) return;
   std::printf("%s%5.0f of %.0f s simulated, targets reached: yellow %lld, blue %lld%s", terminal ? "\r" : "",
               simulated_s, so_far.scenario.duration_s, static_cast<long long>(so_far.reached_yellow),
               static_cast<long long>(so_far.reached_blue), terminal ? "  " : "\n");

@@ -20,6 +20,7 @@ Duration time_to_wait(const Module& module, Time now) {
 /// Until one of them is readable, or the time is over, or a signal comes.
 void wait_for_any(const std::vector<int>& descriptors, Duration longest) {
   std::vector<pollfd> waiting;
+  waiting.reserve(descriptors.size());
   for (const int descriptor : descriptors) waiting.push_back({descriptor, POLLIN, 0});
   const timespec timeout{longest.count() / 1'000'000, longest.count() % 1'000'000 * 1'000};
   ppoll(waiting.data(), waiting.size(), &timeout, nullptr);

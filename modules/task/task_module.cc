@@ -12,8 +12,9 @@ constexpr Duration kRepeatEvery = std::chrono::milliseconds(100);  // messages a
 /// The task's targets with the orders put over them.
 std::vector<Target> with_orders(std::vector<Target> targets, const std::map<std::uint16_t, Target>& orders) {
   for (const auto& [robot, order] : orders) {
-    const auto place = std::lower_bound(targets.begin(), targets.end(), robot,
-                                        [](const Target& target, std::uint16_t number) { return target.robot < number; });
+    const auto place =
+        std::lower_bound(targets.begin(), targets.end(), robot,
+                         [](const Target& target, std::uint16_t number) { return target.robot < number; });
     if (place != targets.end() && place->robot == robot) {
       *place = order;
     } else {

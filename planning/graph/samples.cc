@@ -63,7 +63,7 @@ std::size_t samples_max(const Obstacle& obstacle) {
     case Core::point:
       return kSamplesNear;
     case Core::segment:
-      return 2 * kSamplesNear;
+      return std::size_t{2} * kSamplesNear;
     case Core::rectangle:
       break;
   }

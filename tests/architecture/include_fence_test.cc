@@ -84,7 +84,8 @@ TEST_CASE("MRPT is seen by the viewer alone, protobuf by ssl, nanoflann by one f
 }
 
 TEST_CASE("no core reads a clock or draws from a global generator") {
-  static const std::regex forbidden(R"((system_clock|steady_clock|high_resolution_clock|random_device|[^_a-z]rand\(\)|std::normal_distribution|std::uniform_real_distribution))");
+  static const std::regex forbidden(
+      R"((system_clock|steady_clock|high_resolution_clock|random_device|[^_a-z]rand\(\)|std::normal_distribution|std::uniform_real_distribution))");
   for (const char* folder : {"world_model", "planning", "control", "sim"}) {
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(REGISTA_SOURCE_DIR) / folder)) {
       if (!entry.is_regular_file()) continue;
@@ -106,8 +107,9 @@ TEST_CASE("the fence catches what it is there for") {
 }
 
 TEST_CASE("beside the agreed folders only the agreed files stand at the top") {
-  const std::set<std::string> agreed{"CMakeLists.txt", "lcmtypes", "modules", "world_model", "planning", "control", "sim",
-                                     "logs",           "tests",    "README.md", "dev",      "LICENSE",  "build"};
+  const std::set<std::string> agreed{
+      "CMakeLists.txt", "lcmtypes", "modules",   "world_model", "planning", "control", "sim",
+      "logs",           "tests",    "README.md", "dev",         "LICENSE",  "build"};
   for (const auto& entry : fs::directory_iterator(REGISTA_SOURCE_DIR)) {
     const std::string name = entry.path().filename().string();
     INFO(name);

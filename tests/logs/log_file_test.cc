@@ -84,8 +84,9 @@ TEST_CASE("what follows a damaged message is read all the same") {
   auto messages = random_messages(5, 6);
   write_log(folder.path("log"), messages);
   std::string content = content_of(folder.path("log"));
-  // The third message's channel length becomes negative.
-  const std::size_t at = 2 * 28 + 2 * messages[0].channel.size() + messages[0].bytes.size() + messages[1].bytes.size();
+  // The third message's channel length becomes negative; it begins after two headers of 28 bytes.
+  const std::size_t at =
+      std::size_t{56} + 2U * messages[0].channel.size() + messages[0].bytes.size() + messages[1].bytes.size();
   REQUIRE(content.substr(at, 4) == "\xED\xA1\xDA\x01");
   content[at + 20] = '\xFF';
   write_content(folder.path("log"), content);

@@ -162,8 +162,10 @@ TEST_CASE("parameters are listed, read and set by request, and a bad value chang
 TEST_CASE("robots and places are read as people write them") {
   CHECK(parse_robot("Y3") == RobotId{Team::yellow, 3});
   CHECK(parse_robot("B11") == RobotId{Team::blue, 11});
-  for (const char* wrong : {"", "Y", "X1", "Y-1", "Y1x", "Y01", "Y99999"}) CHECK_THROWS_AS(parse_robot(wrong), RequestRefused);
+  for (const char* wrong : {"", "Y", "X1", "Y-1", "Y1x", "Y01", "Y99999"})
+    CHECK_THROWS_AS(parse_robot(wrong), RequestRefused);
   CHECK(parse_pose("1 -2").position_m == Vec2(1.0, -2.0));
   CHECK(parse_pose("1 2 0.5").heading_rad == 0.5);
-  for (const char* wrong : {"", "1", "1 2 3 4", "1 x", "nan 1", "inf 0"}) CHECK_THROWS_AS(parse_pose(wrong), RequestRefused);
+  for (const char* wrong : {"", "1", "1 2 3 4", "1 x", "nan 1", "inf 0"})
+    CHECK_THROWS_AS(parse_pose(wrong), RequestRefused);
 }

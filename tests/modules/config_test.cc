@@ -46,7 +46,8 @@ TEST_CASE("what is unknown refuses to start and is told the nearest name") {
   CHECK_THROWS_WITH(Config::load("", {"planer.team_margin_m=0.1"}), Catch::Contains("known sections"));
   CHECK_THROWS_WITH(Config::load("", {"planner.team_margin_m=wide"}).apply("planner", params),
                     Catch::Contains("not a number"));
-  CHECK_THROWS_WITH(Config::load("", {"planner.team_margin_m=-1"}).apply("planner", params), Catch::Contains("outside"));
+  CHECK_THROWS_WITH(Config::load("", {"planner.team_margin_m=-1"}).apply("planner", params),
+                    Catch::Contains("outside"));
   CHECK_THROWS_WITH(Config::load("", {"planner.team_margin_m"}), Catch::Contains("section.key=value"));
   CHECK(params == PlannerModuleParams{});
 }

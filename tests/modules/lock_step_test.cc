@@ -74,8 +74,8 @@ TEST_CASE("same seed, same log, byte for byte; another seed, another log") {
   const TemporaryFolder folder;
   const auto run = [&](const std::string& name, const std::string& seed) {
     const std::string file = folder.path(name);
-    run_scenario(crossing({"scenario.duration_s=3", seed, "scenario.expect.targets_per_team_min=0"}), {.log_file = file},
-                 real_stopwatch());
+    run_scenario(crossing({"scenario.duration_s=3", seed, "scenario.expect.targets_per_team_min=0"}),
+                 {.log_file = file}, real_stopwatch());
     return bytes_of(file);
   };
   const std::string first = run("first.lcmlog", "scenario.seed=5");
@@ -124,10 +124,11 @@ TEST_CASE("a log replayed into fresh modules gives the recorded outputs, byte fo
 TEST_CASE("a replay with another parameter is seen to differ") {
   const TemporaryFolder folder;
   const std::string log = folder.path("run.lcmlog");
-  run_scenario(crossing({"scenario.duration_s=2", "scenario.expect.targets_per_team_min=0"}), {.log_file = log}, no_time);
+  run_scenario(crossing({"scenario.duration_s=2", "scenario.expect.targets_per_team_min=0"}), {.log_file = log},
+               no_time);
   const Config other = crossing({"planner.team_margin_m=0.2"});
-  const Replay replay = replay_log(log, "(PLAN|GRAPH)\\.Y.*",
-                                   [&](LockStep& loop) { add_planner(loop, other, Team::yellow, no_time); });
+  const Replay replay =
+      replay_log(log, "(PLAN|GRAPH)\\.Y.*", [&](LockStep& loop) { add_planner(loop, other, Team::yellow, no_time); });
   CHECK(first_difference(replay) != "");
 }
 
@@ -139,7 +140,8 @@ TEST_CASE("planners are swapped while the robots drive, without a jump") {
   const RobotLimits& limits = modules.sim->simulator().params().limits;
   const double largest_step_mps = std::max(limits.acceleration_max_mps2, limits.braking_max_mps2) * kPeriod_s + 1e-6;
   std::int64_t id = 1;
-  for (const char* planner : {"rrt", "visibility_sampling_single", "visibility_sampling", "rrt", "visibility_sampling"}) {
+  for (const char* planner :
+       {"rrt", "visibility_sampling_single", "visibility_sampling", "rrt", "visibility_sampling"}) {
     loop.bus().publish(channels::request(), {loop.now(), id++, "planner.Y", "planner.use", planner, ""});
     double fastest = 0.0;
     for (int frame = 0; frame < 150; ++frame) {

@@ -25,7 +25,8 @@ bool is_refused(const Bytes& bytes) {
 }
 
 void put_int32(Bytes& bytes, std::size_t at, std::int32_t value) {
-  for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) >> (24 - 8 * i));
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[at + i] = static_cast<std::uint8_t>(static_cast<std::uint32_t>(value) >> (24 - 8 * i));
 }
 
 template <class Value>
@@ -49,7 +50,8 @@ void check_all(std::size_t lists) {
   foreign[0] ^= 1U;
   CHECK(is_refused<Value>(foreign));
   for (std::size_t list = 0; list < lists; ++list) {
-    for (const std::int32_t count : {-1, std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()}) {
+    for (const std::int32_t count :
+         {-1, std::numeric_limits<std::int32_t>::max(), std::numeric_limits<std::int32_t>::min()}) {
       Bytes hostile = bytes;
       put_int32(hostile, 16 + 4 * list, count);
       CHECK(is_refused<Value>(hostile));

@@ -19,7 +19,8 @@ Target target(Source& s, std::uint64_t robot) {
 
 template <>
 VisionFrame make(Source& s) {
-  VisionFrame frame{time(s), time(s), static_cast<std::uint32_t>(s.below(8)), static_cast<std::uint32_t>(s.below(1U << 31U)), {}, {}};
+  VisionFrame frame{
+      time(s), time(s), static_cast<std::uint32_t>(s.below(8)), static_cast<std::uint32_t>(s.below(1U << 31U)), {}, {}};
   for (std::uint64_t i = length(s); i > 0; --i) {
     frame.robots.push_back({{team(s), static_cast<std::uint16_t>(s.below(65536))}, pose(s), s.within(0.0, 1.0)});
   }

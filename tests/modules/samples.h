@@ -14,7 +14,9 @@ class Source {
  public:
   explicit Source(std::uint64_t seed) : bits_(seed) {}
   std::uint64_t below(std::uint64_t limit) { return bits_() % limit; }
-  double within(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1.0p-53; }
+  double within(double low, double high) {
+    return low + (high - low) * static_cast<double>(bits_() >> 11U) * 0x1.0p-53;
+  }
   bool coin() { return below(2) == 0; }
   std::string word() { return std::string(below(12), static_cast<char>('a' + below(26))); }
 

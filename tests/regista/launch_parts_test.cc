@@ -38,6 +38,8 @@ TEST_CASE("the viewer comes when asked for, others stay away when asked to") {
   options.viewer = true;
   options.left_out = {"planner", "task"};
   CHECK(names(options) == std::vector<std::string>{"sim", "world-model", "controller.Y", "controller.B", "viewer"});
+  CHECK(modules_for(options).back().may_end);
+  CHECK_FALSE(modules_for(options).front().may_end);
 }
 
 TEST_CASE("every module gets bus, scenario and settings, and its team") {

@@ -22,7 +22,7 @@ ChildSpec script(const TemporaryFolder& folder, const std::string& name, const s
   const std::string program = "regista-" + name;
   std::ofstream(folder.path(program)) << "#!/bin/sh\n" << text << "\n";
   std::filesystem::permissions(folder.path(program), std::filesystem::perms::owner_all);
-  return {name, program, {folder.path(name)}};
+  return {name, program, {folder.path(name)}, name == "viewer"};
 }
 
 struct Fixture {
@@ -70,6 +70,18 @@ TEST_CASE_METHOD(Fixture, "a module that cannot run is given up after five quick
   CHECK(count("starts") == 5);
   for (int i = 0; i < 100; ++i) launcher.step(kStep);
   CHECK(count("starts") == 5);
+}
+
+TEST_CASE_METHOD(Fixture, "a window that was closed stays closed, one that crashed comes back") {
+  const auto closed = script(folder, "viewer", "echo start >> " + folder.path("starts") + "; exit 0");
+  Launcher launcher(bus, {closed, script(folder, "sim", "echo start >> " + folder.path("sim-starts"))}, folder.path(""),
+                    display);
+  REQUIRE(eventually([&] {
+    launcher.step(kStep);
+    return count("sim-starts") >= 3;
+  }));
+  CHECK(count("starts") == 1);
+  CHECK(launcher.given_up() == 0);
 }
 
 TEST_CASE_METHOD(Fixture, "modules may end in order, and those that will not are killed") {

@@ -16,19 +16,19 @@ TEST_CASE("all lines arrive, the last one even without its end") {
   ModuleProcess process("/bin/sh", {"-c", "echo out; echo error >&2; printf rest"});
   REQUIRE(eventually([&] { return process.end().has_value(); }));
   CHECK(process.read_lines() == std::vector<std::string>{"out", "error", "rest"});
-  CHECK(*process.end() == "ended with status 0");
+  CHECK(process.end()->text == "ended with status 0");
 }
 
 TEST_CASE("it is told how a process ended") {
   ModuleProcess failed("/bin/sh", {"-c", "exit 3"});
   REQUIRE(eventually([&] { return failed.end().has_value(); }));
-  CHECK(*failed.end() == "ended with status 3");
+  CHECK(failed.end()->text == "ended with status 3");
 
   ModuleProcess killed("/bin/sh", {"-c", "sleep 1000"});
   CHECK_FALSE(killed.end().has_value());
   killed.send(SIGKILL);
   REQUIRE(eventually([&] { return killed.end().has_value(); }));
-  CHECK(*killed.end() == "was killed by signal 9");
+  CHECK(killed.end()->text == "was killed by signal 9");
 
   ModuleProcess missing("/no/such/program", {});
   REQUIRE(eventually([&] { return missing.end().has_value(); }));
@@ -40,7 +40,7 @@ TEST_CASE("a signal right after the start is not lost between fork and exec") {
     ModuleProcess process("/bin/sh", {"-c", "while :; do sleep 0.05; done"});
     process.send(SIGTERM);
     REQUIRE(eventually([&] { return process.end().has_value(); }));
-    REQUIRE(*process.end() == "was killed by signal 15");
+    REQUIRE(process.end()->text == "was killed by signal 15");
   }
 }
 

@@ -138,10 +138,11 @@ TEST_CASE("a negative radius, and a field without room, are refused") {
 }
 
 TEST_CASE("an index that no obstacle has is refused") {
-  for (const json& index : {json(3), json(-1), json(0.5), json("0"), json(nullptr), json(1e300)}) {
+  for (const json& index :
+       {json(3U), json(-1), json(18446744073709551615ULL), json(0.5), json("0"), json(nullptr), json(1e300)}) {
     CHECK_THAT(refusal(with(team(), "/robots/0/ignore/0", index)), Catch::Contains("robots[0].ignore"));
   }
-  CHECK(refusal(with(team(), "/robots/0/ignore/0", 3)) ==
+  CHECK(refusal(with(team(), "/robots/0/ignore/0", 3U)) ==
         "robots[0].ignore: 3 is no index of an obstacle, there are 3");
   CHECK(refusal(with(team(), "/robots/0/ignore", 3)) != "none");
 }

@@ -41,6 +41,7 @@ Program::Program(const std::vector<std::string>& command, const std::string& inp
   std::ofstream(folder_.path("in")) << input;
   const std::string in = folder_.path("in"), out = folder_.path("out"), error = folder_.path("error");
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_ = fork();

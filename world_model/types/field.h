@@ -7,15 +7,15 @@ namespace regista {
 
 /// All lengths in metres. Yellow defends the goal at -x unless yellow_on_positive_x.
 struct FieldGeometry {
-  double length_m = 12.0;                 ///< goal line to goal line, > 0
-  double width_m = 9.0;                   ///< touch line to touch line, > 0
-  double margin_goal_line_m = 0.6;        ///< boundary strip beyond the goal lines, >= 0
-  double margin_touch_line_m = 0.3;       ///< boundary strip beyond the touch lines, >= 0
-  double defence_depth_m = 1.8;           ///< of a defence area, along x
-  double defence_width_m = 3.6;           ///< of a defence area, along y
+  double length_m = 12.0;            ///< goal line to goal line, > 0
+  double width_m = 9.0;              ///< touch line to touch line, > 0
+  double margin_goal_line_m = 0.6;   ///< boundary strip beyond the goal lines, >= 0
+  double margin_touch_line_m = 0.3;  ///< boundary strip beyond the touch lines, >= 0
+  double defence_depth_m = 1.8;      ///< of a defence area, along x
+  double defence_width_m = 3.6;      ///< of a defence area, along y
   double goal_width_m = 1.8;
   double goal_depth_m = 0.18;
-  double goal_wall_m = 0.02;              ///< thickness of the goal's walls
+  double goal_wall_m = 0.02;  ///< thickness of the goal's walls
   double centre_circle_radius_m = 0.5;
   bool yellow_on_positive_x = false;
   bool operator==(const FieldGeometry&) const = default;

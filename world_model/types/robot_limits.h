@@ -8,10 +8,10 @@ namespace regista {
 /// Defaults: the middle of what league teams use (2.0–3.2 m/s, 2–4.5 m/s² up, up to 6 m/s² brake, 6–10 rad/s) and the
 /// largest legal radius (SSL rules, "Robot shape").
 struct RobotLimits {
-  double radius_m = 0.09;                ///< > 0
-  double speed_max_mps = 3.0;            ///< > 0
-  double acceleration_max_mps2 = 3.0;    ///< speeding up, > 0
-  double braking_max_mps2 = 4.0;         ///< slowing down, > 0
+  double radius_m = 0.09;                         ///< > 0
+  double speed_max_mps = 3.0;                     ///< > 0
+  double acceleration_max_mps2 = 3.0;             ///< speeding up, > 0
+  double braking_max_mps2 = 4.0;                  ///< slowing down, > 0
   double angular_speed_max_radps = 10.0;          ///< > 0
   double angular_acceleration_max_radps2 = 50.0;  ///< > 0
   bool operator==(const RobotLimits&) const = default;

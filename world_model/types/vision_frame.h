@@ -24,8 +24,8 @@ struct BallDetection {
 };
 
 struct VisionFrame {
-  Time captured{};              ///< when the light fell in; the stamp of all that is made from this frame
-  Time sent{};                  ///< when the camera's computer sent it
+  Time captured{};  ///< when the light fell in; the stamp of all that is made from this frame
+  Time sent{};      ///< when the camera's computer sent it
   std::uint32_t camera = 0;
   std::uint32_t frame_number = 0;  ///< counts up per camera
   std::vector<RobotDetection> robots;

@@ -14,11 +14,11 @@ namespace regista {
 struct RobotState {
   RobotId id;
   Pose pose;
-  Twist twist;                             ///< field frame
-  double position_variance_m2 = 0.0;       ///< per axis
-  double velocity_variance_m2ps2 = 0.0;    ///< per axis
+  Twist twist;                           ///< field frame
+  double position_variance_m2 = 0.0;     ///< per axis
+  double velocity_variance_m2ps2 = 0.0;  ///< per axis
   double heading_variance_rad2 = 0.0;
-  Duration age{};                          ///< since the robot was last seen
+  Duration age{};  ///< since the robot was last seen
   bool operator==(const RobotState&) const = default;
 };
 
@@ -32,9 +32,9 @@ struct BallState {
 };
 
 struct WorldState {
-  Time captured{};              ///< capture of the newest frame in it
-  Time valid_at{};              ///< the moment poses and velocities are predicted to: when a command sent now acts
-  std::uint64_t sequence = 0;   ///< counts up with every state published
+  Time captured{};                 ///< capture of the newest frame in it
+  Time valid_at{};                 ///< the moment poses and velocities are predicted to: when a command sent now acts
+  std::uint64_t sequence = 0;      ///< counts up with every state published
   std::vector<RobotState> robots;  ///< sorted by id, each id once
   std::optional<BallState> ball;
   bool operator==(const WorldState&) const = default;
