@@ -1,7 +1,7 @@
+#include "modules/ssl/command_relay.h"
+
 #include <catch2/catch.hpp>
 #include <random>
-
-#include "modules/ssl/command_relay.h"
 
 using namespace regista;
 using namespace std::chrono_literals;

@@ -15,7 +15,8 @@ inline std::string detection_text(int camera, int frame_number) {
 }
 
 inline std::string geometry_text(int length_mm = 12000, int width_mm = 9000) {
-  return " geometry { field { field_length: " + std::to_string(length_mm) + " field_width: " + std::to_string(width_mm) +
+  return " geometry { field { field_length: " + std::to_string(length_mm) +
+         " field_width: " + std::to_string(width_mm) +
          R"( goal_width: 1800 goal_depth: 180 boundary_width: 300 boundary_width_goal_line: 600
       field_lines { name: "TopTouchLine" p1 { x: -6000 y: 4500 } p2 { x: 6000 y: 4500 } thickness: 10 type: TopTouchLine }
       field_arcs { name: "CenterCircle" center { x: 0 y: 0 } radius: 500 a1: 0 a2: 6.283 thickness: 10 type: CenterCircle }

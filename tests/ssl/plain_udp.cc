@@ -71,6 +71,6 @@ void UdpServer::answer(const std::string& bytes) const {
 }
 
 std::string private_group() { return "224.5.23." + std::to_string(200 + getpid() % 50); }
-std::uint16_t private_port() { return static_cast<std::uint16_t>(20000 + getpid() % 12000); }
+std::uint16_t private_port() { return static_cast<std::uint16_t>(20000 + getpid() % 6000); }
 
 }  // namespace regista

@@ -42,7 +42,7 @@ class UdpServer {
   sockaddr_in last_sender_{};
 };
 
-/// A group and a port that no other test of this run uses.
+/// A group and a port that no other run uses, below those that the system hands out (Linux: from 32768).
 std::string private_group();
 std::uint16_t private_port();
 

@@ -20,7 +20,7 @@ namespace {
 
 std::string private_bus() {
   return "udpm://239.255.76." + std::to_string(100 + private_port() % 100) + ":" +
-         std::to_string(private_port() + 12000) + "?ttl=0&recv_buf_size=1048576";
+         std::to_string(private_port() + 6001) + "?ttl=0&recv_buf_size=1048576";
 }
 
 /// Repeats the action and takes messages until the condition holds; false after about ten seconds.
