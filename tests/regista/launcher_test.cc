@@ -7,6 +7,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "modules/process/real_clock.h"
 #include "modules/regista/command.h"
@@ -37,24 +38,28 @@ struct Fixture {
     for (std::string line; std::getline(in, line);) ++lines;
     return lines;
   }
+  std::vector<pid_t> pids(const std::string& file) const {
+    std::ifstream in(folder.path(file));
+    return {std::istream_iterator<pid_t>(in), {}};
+  }
 };
 
 TEST_CASE_METHOD(Fixture, "what dies is started again, the others are left alone") {
-  const auto sim = script(folder, "sim", "while :; do sleep 0.05; done");
-  const auto task = script(folder, "task", "while :; do sleep 0.05; done");
+  const auto sim = script(folder, "sim", "echo $$ >> " + folder.path("sim-pids") + "; while :; do sleep 0.05; done");
+  const auto task = script(folder, "task", "echo $$ >> " + folder.path("task-pids") + "; while :; do sleep 0.05; done");
   Launcher launcher(bus, {sim, task}, folder.path(""), display);
   REQUIRE(eventually([&] {
-    return processes_with(folder.path("sim")).size() == 1 && processes_with(folder.path("task")).size() == 1;
+    launcher.step(kStep);
+    return count("sim-pids") == 1 && count("task-pids") == 1;
   }));
-  const pid_t victim = processes_with(folder.path("sim")).front();
-  const pid_t bystander = processes_with(folder.path("task")).front();
-  kill(victim, SIGKILL);
+  kill(pids("sim-pids").back(), SIGKILL);
   REQUIRE(eventually([&] {
     launcher.step(kStep);
-    const auto now = processes_with(folder.path("sim"));
-    return now.size() == 1 && now.front() != victim;
+    return count("sim-pids") == 2;
   }));
-  CHECK(processes_with(folder.path("task")) == std::vector<pid_t>{bystander});
+  CHECK(is_alive(pids("sim-pids").back()));
+  CHECK(count("task-pids") == 1);
+  CHECK(is_alive(pids("task-pids").back()));
   CHECK(launcher.given_up() == 0);
   launcher.stop();
   CHECK(alive().empty());
