@@ -49,8 +49,9 @@ struct ControlParams {
   FollowerParams follower;
   HeadingParams heading;
   WheelGeometry wheels;
-  double plan_deadline_s = 0.2;   ///< a plan older than this is no plan: 20 world states at 100 Hz
-  double world_deadline_s = 0.1;  ///< without a world state for so long all robots brake
+  double plan_deadline_s = 0.2;    ///< a plan older than this is no plan: 20 world states at 100 Hz
+  double world_deadline_s = 0.1;   ///< without a world state for so long all robots brake
+  double unseen_deadline_s = 0.2;  ///< a robot that vision lost for so long brakes: at 3 m/s it went 0.6 m blind
   /// Time constant with which a robot's velocity follows its command, 30 ms for league robots. Too large a value brakes
   /// earlier than needed, too small a one overshoots by its error times the speed.
   double drive_lag_s = 0.03;
@@ -70,6 +71,7 @@ struct ControlParams {
     v.group("wheels", self.wheels);
     v("plan_deadline_s", self.plan_deadline_s, Range{0.001, 10.0}, "s", "an older plan is no plan");
     v("world_deadline_s", self.world_deadline_s, Range{0.001, 10.0}, "s", "without a world state for so long, brake");
+    v("unseen_deadline_s", self.unseen_deadline_s, Range{0.001, 10.0}, "s", "a robot unseen for so long brakes");
     v("drive_lag_s", self.drive_lag_s, Range{0.0, 0.5}, "s", "time constant of a robot's velocity after its command");
     v("period_s", self.period_s, Range{0.0005, 0.2}, "s", "between ticks while no world state tells it");
     v("period_max_s", self.period_max_s, Range{0.0005, 0.5}, "s", "a longer pause counts as this");

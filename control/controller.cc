@@ -160,7 +160,8 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
     if (robot.id.team != team_) continue;
     Motion motion = present_motion(robot);
     const auto plan = plan_of.find(robot.id.number);
-    const Twist wanted = plan != plan_of.end() && can_be_driven(*plan->second)
+    const bool seen = to_seconds(robot.age) <= params_.unseen_deadline_s;
+    const Twist wanted = seen && plan != plan_of.end() && can_be_driven(*plan->second)
                              ? wanted_twist(*plan->second, robot, motion.twist, params_, period_s)
                              : Twist{};
     out.commands.push_back(command(robot.id.number, motion, wanted, period_s));

@@ -48,4 +48,8 @@ std::optional<LogMessage> LogReader::next() {
   return message;
 }
 
+void require_message(const std::string& file) {
+  if (!LogReader(file).next()) throw LogError(file + " holds no whole message: it is empty, damaged or no LCM log");
+}
+
 }  // namespace regista

@@ -48,4 +48,7 @@ class LogReader {
   std::unique_ptr<lcm::LogFile> log_;
 };
 
+/// Throws LogError when the file cannot be read or holds no whole message: there is nothing to show or to play.
+void require_message(const std::string& file);
+
 }  // namespace regista

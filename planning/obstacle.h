@@ -8,7 +8,9 @@ namespace regista {
 
 enum class Core { point, segment, rectangle };
 
-/// Closed set {p : distance(p, core) < radius_m} is forbidden; its boundary is free.
+/// The open set {p : signed distance(p, core) < radius_m} is forbidden, its boundary is free. The signed distance is
+/// negative within a rectangle, minus the distance to its nearest side, and never negative for a point or segment: with
+/// radius 0 a rectangle still forbids its interior, a disc or capsule (or a rectangle without area) nothing.
 struct Obstacle {
   Core core = Core::point;
   Vec2 a = Vec2::Zero();  ///< point: the centre; segment: one end; rectangle: the corner with the smaller coordinates

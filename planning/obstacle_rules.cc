@@ -1,11 +1,24 @@
 #include "planning/obstacle_rules.h"
 
+#include <stdexcept>
+#include <string>
+
+#include "world_model/types/field_side.h"
+
 namespace regista {
 namespace {
 
 /// -1 or 1: the side of x on which a team's goal stands.
-double side_of(Team team, const FieldGeometry& field) {
-  return (team == Team::yellow) == field.yellow_on_positive_x ? 1.0 : -1.0;
+double side_of(Team team, const FieldGeometry& field) { return defends_negative_x(team, field) ? -1.0 : 1.0; }
+
+void check(const RobotState& robot) {
+  const Vec2& place = robot.pose.position_m;
+  const Vec2& velocity = robot.twist.velocity_mps;
+  if (is_finite(place) && is_finite(velocity) && std::isfinite(robot.twist.angular_radps)) return;
+  throw std::invalid_argument("robot " + to_string(robot.id) + " must be finite, is at (" + std::to_string(place.x()) +
+                              ", " + std::to_string(place.y()) + ") m and moves with (" + std::to_string(velocity.x()) +
+                              ", " + std::to_string(velocity.y()) + ") m/s, " +
+                              std::to_string(robot.twist.angular_radps) + " rad/s");
 }
 
 Obstacle robot_obstacle(const RobotState& robot, Team team, const PlanningParams& params) {
@@ -48,12 +61,12 @@ TeamObstacles obstacles_for(Team team, const FieldGeometry& field, const WorldSt
   TeamObstacles out;
   std::vector<Obstacle> obstacles;
   for (const RobotState& robot : world.robots) {
+    check(robot);
     obstacles.push_back(robot_obstacle(robot, team, params));
     out.robots.push_back(robot.id);
   }
   out.own_area = obstacles.size();
   obstacles.push_back(area_obstacle(side_of(team, field), field, params));
-  out.opponent_area = obstacles.size();
   obstacles.push_back(area_obstacle(side_of(opponent_of(team), field), field, params));
   append_goal_walls(-1.0, field, params, obstacles);
   append_goal_walls(1.0, field, params, obstacles);

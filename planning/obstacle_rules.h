@@ -14,12 +14,12 @@ struct TeamObstacles {
   ObstacleField field;
   std::vector<RobotId> robots;  ///< obstacle i < robots.size() is this robot
   std::size_t own_area = 0;     ///< index of the team's own defence area
-  std::size_t opponent_area = 0;
 };
 
 /// All robots as discs (both radii and the margin; capsules when stretched along their velocity), both defence areas
 /// reaching back to the rear of the goals, the goals' walls, and the wall around the field as bounds. Throws
-/// std::invalid_argument when the world or the field is not finite or the field has no room for a robot.
+/// std::invalid_argument when a robot's position, velocity or turning rate or a measure of the field is not finite, or
+/// the field has no room for a robot. Headings and the ball are not looked at.
 TeamObstacles obstacles_for(Team team, const FieldGeometry& field, const WorldState& world,
                             const PlanningParams& params);
 

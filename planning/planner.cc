@@ -116,14 +116,6 @@ Plan plan_or_invalid(Planner& planner, graph::SharedGraph& graph, const PlanRequ
   }
 }
 
-std::vector<Plan> plan_team(Planner& planner, const ObstacleField& field, std::span<const PlanRequest> requests) {
-  graph::SharedGraph graph(field);
-  std::vector<Plan> plans;
-  plans.reserve(requests.size());
-  for (const PlanRequest& request : requests) plans.push_back(plan_or_invalid(planner, graph, request));
-  return plans;
-}
-
 double length_of(std::span<const Vec2> path) {
   double length_m = 0.0;
   for (std::size_t i = 1; i < path.size(); ++i) length_m += (path[i] - path[i - 1]).norm();

@@ -55,9 +55,6 @@ class Planner {
 /// plan(), but a request that makes no sense is answered by status invalid and the reason instead of a throw.
 Plan plan_or_invalid(Planner& planner, graph::SharedGraph& graph, const PlanRequest& request);
 
-/// The whole team's requests on one graph, answered in their order as plan_or_invalid does.
-std::vector<Plan> plan_team(Planner& planner, const ObstacleField& field, std::span<const PlanRequest> requests);
-
 /// Sum of the legs, metres; 0 for fewer than two points.
 double length_of(std::span<const Vec2> path);
 

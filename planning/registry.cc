@@ -1,12 +1,12 @@
 #include "planning/registry.h"
 
-#include <algorithm>
 #include <array>
-#include <numeric>
+#include <vector>
 
 #include "planning/planners/rrt.h"
 #include "planning/planners/visibility_sampling.h"
 #include "planning/planners/visibility_sampling_single.h"
+#include "world_model/params.h"
 
 namespace regista {
 namespace {
@@ -37,31 +37,12 @@ constexpr std::array kPlanners{
                  make<Rrt>},
 };
 
-/// Levenshtein distance: insertions, deletions and replacements that turn one word into the other.
-std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
-
 [[noreturn]] void refuse(std::string_view name) {
-  const auto nearest = std::min_element(kPlanners.begin(), kPlanners.end(), [name](const auto& a, const auto& b) {
-    return distance(name, a.name) < distance(name, b.name);
-  });
+  std::vector<std::string> names;
+  for (const PlannerEntry& entry : kPlanners) names.emplace_back(entry.name);
   std::string message =
-      "unknown planner '" + std::string(name) + "', did you mean '" + std::string(nearest->name) + "'? Known:";
-  for (const PlannerEntry& entry : kPlanners) {
-    message += (&entry == kPlanners.data() ? " " : ", ") + std::string(entry.name);
-  }
+      "unknown planner '" + std::string(name) + "', did you mean '" + nearest_name(name, names) + "'? Known:";
+  for (const std::string& known : names) message += (known == names.front() ? " " : ", ") + known;
   throw UnknownPlanner(message);
 }
 

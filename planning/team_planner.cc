@@ -1,5 +1,9 @@
 #include "planning/team_planner.h"
 
+#include <set>
+#include <stdexcept>
+#include <string>
+
 #include "planning/uniform.h"
 
 namespace regista {
@@ -8,6 +12,18 @@ namespace {
 constexpr std::int64_t kNanosecondsPerMicrosecond = 1000;
 
 std::int64_t read(const TeamPlanner::Stopwatch* stopwatch) { return stopwatch != nullptr ? (*stopwatch)() : 0; }
+
+void check(const Targets& targets, Team team) {
+  if (targets.team != team) {
+    throw std::invalid_argument(std::string("targets of team ") + name(targets.team) + " for the planner of team " +
+                                name(team));
+  }
+  std::set<std::uint16_t> robots;
+  for (const Target& target : targets.targets) {
+    if (robots.insert(target.robot).second) continue;
+    throw std::invalid_argument("two targets for " + to_string(RobotId{team, target.robot}));
+  }
+}
 
 }  // namespace
 
@@ -24,6 +40,7 @@ void TeamPlanner::use(std::string_view planner) {
 
 TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
                             const Stopwatch* stopwatch) {
+  check(targets, team_);
   const std::int64_t frame_began = read(stopwatch);
   TeamObstacles obstacles = obstacles_for(team_, field, world, params_);
   graph_.reset(std::move(obstacles.field));

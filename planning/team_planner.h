@@ -39,7 +39,7 @@ class TeamPlanner {
   /// Targets of robots that are not in the world are left out; a target that makes no sense is answered by a plan of
   /// status invalid. Without stopwatch the answer is a function of the arguments and of the paths answered before (only
   /// planners that are not deterministic look at these), and budget_us is not honoured. Throws std::invalid_argument
-  /// where obstacles_for does.
+  /// where obstacles_for does, and for targets of the other team or two for one robot.
   TeamPlans plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
                  const Stopwatch* stopwatch = nullptr);
 

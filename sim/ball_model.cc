@@ -62,10 +62,4 @@ bool can_kick(const BallBody& ball, const RobotBody& robot, double robot_radius_
   return std::abs(std::atan2(seen.y(), seen.x())) <= kKickHalfAngle_rad;
 }
 
-double free_run_m(double speed_mps, const BallParams& params) {
-  const double rolling = params.roll_ratio * speed_mps;
-  return (speed_mps * speed_mps - rolling * rolling) / (2.0 * params.slide_deceleration_mps2) +
-         rolling * rolling / (2.0 * params.roll_deceleration_mps2);
-}
-
 }  // namespace regista

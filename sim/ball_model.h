@@ -32,7 +32,4 @@ void push(BallBody& ball, const RobotBody& robot, double robot_radius_m, const B
 /// True when the robot's kicker can reach the ball.
 bool can_kick(const BallBody& ball, const RobotBody& robot, double robot_radius_m, const BallParams& params);
 
-/// How far the ball runs on a free field after a kick with that speed: both phases' v²/2a.
-double free_run_m(double speed_mps, const BallParams& params);
-
 }  // namespace regista

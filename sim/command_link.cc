@@ -33,18 +33,12 @@ void CommandLink::receive(const TeamCommands& commands, Time arrived) {
                                       [](Time time, const Underway& other) { return time < other.acts_at; });
   std::vector<Underway> added;
   for (const RobotCommand& command : commands.commands) {
-    ++counts_.received;
     const bool lost = random_.chance(params_.loss);
     const RobotId id{commands.team, command.robot};
     const auto robot = std::lower_bound(robots_.begin(), robots_.end(), id);
-    if (robot == robots_.end() || *robot != id) {
-      ++counts_.unknown;
-    } else if (lost) {
-      ++counts_.lost;
-    } else {
-      const auto index = static_cast<std::size_t>(robot - robots_.begin());
-      added.push_back({acts_at, index, {command.velocity, command.kick_speed_mps}});
-    }
+    if (lost || robot == robots_.end() || *robot != id) continue;
+    const auto index = static_cast<std::size_t>(robot - robots_.begin());
+    added.push_back({acts_at, index, {command.velocity, command.kick_speed_mps}});
   }
   underway_.insert(later, added.begin(), added.end());
 }

@@ -11,13 +11,6 @@
 
 namespace regista {
 
-struct LinkCounts {
-  std::int64_t received = 0;  ///< commands for one robot
-  std::int64_t lost = 0;      ///< of these, by the radio
-  std::int64_t unknown = 0;   ///< of these, for robots that are not on the field
-  bool operator==(const LinkCounts&) const = default;
-};
-
 struct HeardCommand {
   BodyVelocity velocity;
   double kick_speed_mps = 0.0;
@@ -29,7 +22,8 @@ class CommandLink {
   /// `robots` sorted; a robot's index in it is how the other functions name it.
   CommandLink(std::vector<RobotId> robots, const RadioParams& params, std::uint64_t seed);
 
-  /// Takes a team's commands; they act a fixed latency after `arrived`. Throws std::invalid_argument with robot and
+  /// Takes a team's commands; they act a fixed latency after `arrived`. Those for robots that are not there are left
+  /// out. Throws std::invalid_argument with robot and
   /// value, taking none of them, when a velocity or kick is not finite or a kick is negative.
   void receive(const TeamCommands& commands, Time arrived);
 
@@ -38,8 +32,6 @@ class CommandLink {
 
   /// What the robot does at `now`; nullptr when nothing has acted within the timeout and it must brake.
   const HeardCommand* heard(std::size_t robot, Time now) const;
-
-  const LinkCounts& counts() const { return counts_; }
 
  private:
   struct Underway {
@@ -58,7 +50,6 @@ class CommandLink {
   Random random_;
   std::deque<Underway> underway_;  // by acts_at
   std::vector<Hearing> hearing_;   // per robot
-  LinkCounts counts_;
 };
 
 }  // namespace regista

@@ -59,6 +59,7 @@ void ContactLog::begin(const RobotBody& a, const RobotBody& b, Time now) {
     if (contact.fault == Fault::second || contact.fault == Fault::both) ++counts_.at_fault_blue;
   }
   contacts_.push_back(contact);
+  if (contacts_.size() > kContactsKept) contacts_.pop_front();
 }
 
 void keep_apart(std::vector<RobotBody>& robots, const std::vector<IndexPair>& near, const RobotLimits& limits) {

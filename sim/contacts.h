@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "sim/near_pairs.h"
@@ -16,6 +17,9 @@ inline constexpr double kCrashSpeed_mps = 1.5;
 inline constexpr double kCrashDifference_mps = 0.3;
 /// A contact begins when discs overlap and ends when they are this far apart, so that shaking is one contact. Metres.
 inline constexpr double kContactHysteresis_m = 0.01;
+
+/// How many contacts a log keeps: minutes of a crowded game, however long a run is.
+inline constexpr std::size_t kContactsKept = 1000;
 
 enum class Fault : std::uint8_t { none, first, second, both };
 
@@ -52,7 +56,8 @@ class ContactLog {
   /// Looks at one moment, before keep_apart changes the velocities. `near` as NearPairs finds them.
   void observe(const std::vector<RobotBody>& robots, const std::vector<IndexPair>& near, Time now);
 
-  const std::vector<Contact>& contacts() const { return contacts_; }
+  /// The newest kContactsKept, oldest first; counts() are of all.
+  const std::deque<Contact>& contacts() const { return contacts_; }
   const ContactCounts& counts() const { return counts_; }
 
  private:
@@ -61,7 +66,7 @@ class ContactLog {
   double robot_radius_m_;
   std::vector<IndexPair> touching_;  // sorted
   std::vector<IndexPair> still_touching_;
-  std::vector<Contact> contacts_;
+  std::deque<Contact> contacts_;
   ContactCounts counts_;
 };
 

@@ -3,8 +3,7 @@
 
 #include <vector>
 
-#include "world_model/types/field.h"
-#include "world_model/types/robot_id.h"
+#include "world_model/types/field_side.h"
 
 namespace regista {
 
@@ -13,11 +12,6 @@ struct RobotPlacement {
   Pose pose;
   bool operator==(const RobotPlacement&) const = default;
 };
-
-/// True when that team's goal is the one on the -x side.
-inline bool defends_negative_x(Team team, const FieldGeometry& field) {
-  return (team == Team::yellow) != field.yellow_on_positive_x;
-}
 
 /// Number 0 in the middle of its own defence area, the others in a square grid between the centre line and the own goal
 /// line, outside that area, spaced as widely as fits (at most 2 m); all look at the opponent's goal. Sorted by id.

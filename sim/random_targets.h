@@ -18,6 +18,7 @@ struct RandomTargetsParams {
   double area_margin_m = 0.1;  ///< between a robot on its target and a defence area
   double robot_radius_m = 0.09;
   double speed_max_mps = 3.0;
+  double give_up_s = 5.0;  ///< a robot that gets no nearer for so long gets another target; 0: never
   bool operator==(const RandomTargetsParams&) const = default;
 };
 
@@ -25,14 +26,19 @@ struct RandomTargetsParams {
 /// body, the margin beside.
 bool is_target_place(const Vec2& point_m, const FieldGeometry& field, const RandomTargetsParams& params);
 
+/// Throws std::invalid_argument when there is a place on that field from which too few target places are at least
+/// distance_min_m away to be found by drawing.
+void require_far_places(const FieldGeometry& field, const RandomTargetsParams& params);
+
 class RandomTargets {
  public:
-  /// Throws std::invalid_argument when the field has no place so far away, or a number makes no sense.
+  /// Throws std::invalid_argument as require_far_places does, or when a number makes no sense.
   RandomTargets(Team team, const FieldGeometry& field, const RandomTargetsParams& params, std::uint64_t seed);
 
-  /// Looks where the team's robots are by the estimate and gives new targets to those that are new or have arrived. A
-  /// robot that is not in the world keeps its target; one for which no place was found keeps it too and is tried again
-  /// next time. sequence and captured change only when a target does.
+  /// Looks where the team's robots are by the estimate and gives new targets to those that are new, have arrived, or
+  /// have given up: targets of two opponents may lie so close together that each one's body covers the other's. A robot
+  /// that is not in the world keeps its target; one for which no place was found keeps it too and is tried again half a
+  /// second later. sequence and captured change only when a target does.
   const Targets& update(const WorldState& world);
 
   std::int64_t reached() const;
@@ -41,10 +47,15 @@ class RandomTargets {
  private:
   struct Assignment {
     Target target;
-    bool counted = true;  // arrival at it
+    bool counted = true;     // arrival at it
+    double nearest_m = 0.0;  // to the target so far
+    Time nearest_at{};
+    Time next_try{};  // of a new target, after none was found
     std::int64_t reached = 0;
   };
-  bool assign(Assignment& assignment, const Vec2& robot_position_m);
+  bool has_given_up(Assignment& assignment, const Vec2& robot_position_m, Time now) const;
+  bool assign(Assignment& assignment, const Vec2& robot_position_m, Time now);
+  bool draw(Assignment& assignment, const Vec2& robot_position_m);
   bool keeps_gap(const Vec2& point_m, std::uint16_t robot) const;
 
   Team team_;

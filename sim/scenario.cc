@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "sim/random_targets.h"
 #include "sim/range_check.h"
 #include "sim/sim_params.h"
 
@@ -43,6 +44,11 @@ void validate(const Scenario& scenario) {
     throw std::invalid_argument("arrival_m is " + std::to_string(scenario.arrival_m) +
                                 ", must be below target_distance_min_m, " +
                                 std::to_string(scenario.target_distance_min_m));
+  }
+  if (scenario.task == "random_targets") {
+    RandomTargetsParams params;
+    params.distance_min_m = scenario.target_distance_min_m;
+    require_far_places(field, params);
   }
   (void)formation(field, static_cast<int>(scenario.robots_per_team), RobotLimits{}.radius_m);
 }

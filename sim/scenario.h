@@ -30,12 +30,15 @@ struct FieldChoice {
 struct Expectations {
   std::int64_t targets_per_team_min = 0;
   std::int64_t own_contacts_max = -1;  ///< of both teams together
+  std::int64_t opponent_contacts_max = -1;
   bool operator==(const Expectations&) const = default;
 
   template <class Self, class V>
   static void visit(Self& self, V&& v) {
     v("targets_per_team_min", self.targets_per_team_min, Range{0, 1e9}, "", "targets each team must reach");
     v("own_contacts_max", self.own_contacts_max, Range{-1, 1e9}, "", "contacts inside teams, -1: any number");
+    v("opponent_contacts_max", self.opponent_contacts_max, Range{-1, 1e9}, "",
+      "contacts between the teams, -1: any number");
   }
 };
 

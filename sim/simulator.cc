@@ -60,9 +60,9 @@ Simulator::Simulator(const SimSetup& setup)
       now_(setup.start),
       robots_(bodies_of(setup.robots)),
       kicker_ready_(robots_.size(), setup.start),
-      link_(ids_of(robots_), params_.radio, derived_seed(setup.seed, kLinkStream)),
+      link_(ids_of(robots_), params_.radio, mixed(setup.seed, kLinkStream)),
       contacts_(params_.limits.radius_m),
-      camera_(0, params_.vision, derived_seed(setup.seed, kCameraStream), setup.start) {
+      camera_(0, params_.vision, mixed(setup.seed, kCameraStream), setup.start) {
   for (RobotBody& robot : robots_) {
     check_place(robot.pose.position_m, params_.limits.radius_m, to_string(robot.id));
     if (!std::isfinite(robot.pose.heading_rad)) {

@@ -60,9 +60,9 @@ class Simulator {
   Time now() const { return now_; }
   /// How everything is, without noise. sequence counts steps.
   WorldState truth() const;
-  const std::vector<Contact>& contacts() const { return contacts_.contacts(); }
+  /// The newest, as ContactLog keeps them.
+  const std::deque<Contact>& contacts() const { return contacts_.contacts(); }
   const ContactCounts& contact_counts() const { return contacts_.counts(); }
-  const LinkCounts& link_counts() const { return link_.counts(); }
   const FieldGeometry& field() const { return field_; }
   const SimParams& params() const { return params_; }
 

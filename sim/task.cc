@@ -51,7 +51,7 @@ Task make_task(const Scenario& scenario, Team team) {
   params.distance_min_m = scenario.target_distance_min_m;
   params.arrival_m = scenario.arrival_m;
   const std::uint64_t stream = kTaskStream + (team == Team::yellow ? 0 : 1);
-  return RandomTargets(team, field, params, derived_seed(static_cast<std::uint64_t>(scenario.seed), stream));
+  return RandomTargets(team, field, params, mixed(static_cast<std::uint64_t>(scenario.seed), stream));
 }
 
 const Targets& update(Task& task, const WorldState& world) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace regista {
@@ -12,6 +13,33 @@ constexpr double kSlack = 1e-9;
 
 Violation violation(std::optional<RobotId> robot, double value, double bound, std::string unit) {
   return {"", Time{}, robot, value, bound, std::move(unit)};
+}
+
+std::optional<Violation> too_fast(RobotId robot, double speed_mps, double turning_radps, const RobotLimits& limits) {
+  if (!(speed_mps <= limits.speed_max_mps + kSlack)) {
+    return violation(robot, speed_mps, limits.speed_max_mps, "m/s");
+  }
+  if (!(std::abs(turning_radps) <= limits.angular_speed_max_radps + kSlack)) {
+    return violation(robot, std::abs(turning_radps), limits.angular_speed_max_radps, "rad/s");
+  }
+  return std::nullopt;
+}
+
+std::optional<Violation> too_many(std::int64_t count, std::int64_t count_max) {
+  if (count <= count_max) return std::nullopt;
+  return violation(std::nullopt, static_cast<double>(count), static_cast<double>(count_max), "");
+}
+
+/// One robot's stay in a defence area.
+struct AreaStay {
+  std::optional<Time> since;  // when it came in; empty while it is outside
+  bool may_stay = false;      // it began there
+};
+
+bool is_wholly_in_area(const Vec2& centre_m, const FieldGeometry& field, double radius_m) {
+  const double x = std::abs(centre_m.x());
+  return x > field.length_m / 2.0 - field.defence_depth_m + radius_m && x < field.length_m / 2.0 &&
+         std::abs(centre_m.y()) < field.defence_width_m / 2.0 - radius_m;
 }
 
 }  // namespace
@@ -39,14 +67,43 @@ Validator inside_field(const FieldGeometry& field, double radius_m) {
 Validator within_speed_limits(const RobotLimits& limits) {
   return {"speed limits", Validator::When::always, [limits](const Observation& seen) -> std::optional<Violation> {
             for (const RobotState& robot : seen.truth.robots) {
-              const double speed = robot.twist.velocity_mps.norm();
-              const double turning = std::abs(robot.twist.angular_radps);
-              if (!(speed <= limits.speed_max_mps + kSlack)) {
-                return violation(robot.id, speed, limits.speed_max_mps, "m/s");
-              }
-              if (!(turning <= limits.angular_speed_max_radps + kSlack)) {
-                return violation(robot.id, turning, limits.angular_speed_max_radps, "rad/s");
-              }
+              auto found = too_fast(robot.id, robot.twist.velocity_mps.norm(), robot.twist.angular_radps, limits);
+              if (found) return found;
+            }
+            return std::nullopt;
+          }};
+}
+
+Validator commands_within_limits(const RobotLimits& limits) {
+  return {
+      "commands within limits", Validator::When::always, [limits](const Observation& seen) -> std::optional<Violation> {
+        for (const TeamCommands& team : seen.commands) {
+          for (const RobotCommand& command : team.commands) {
+            const BodyVelocity& v = command.velocity;
+            auto found =
+                too_fast({team.team, command.robot}, std::hypot(v.forward_mps, v.left_mps), v.angular_radps, limits);
+            if (found) return found;
+          }
+        }
+        return std::nullopt;
+      }};
+}
+
+Validator defence_areas_kept(const FieldGeometry& field, double radius_m) {
+  return {"defence areas kept", Validator::When::always,
+          [field, radius_m,
+           stays = std::map<RobotId, AreaStay>()](const Observation& seen) mutable -> std::optional<Violation> {
+            const Time now = seen.truth.captured;
+            for (const RobotState& robot : seen.truth.robots) {
+              const bool inside = is_wholly_in_area(robot.pose.position_m, field, radius_m);
+              const auto [entry, is_new] = stays.try_emplace(robot.id);
+              AreaStay& stay = entry->second;
+              if (is_new) stay.may_stay = inside;
+              if (!inside) stay = {};
+              if (!inside || stay.may_stay) continue;
+              if (!stay.since) stay.since = now;
+              if (now - *stay.since <= kAreaStay) continue;
+              return violation(robot.id, to_seconds(now - *stay.since), to_seconds(kAreaStay), "s");
             }
             return std::nullopt;
           }};
@@ -62,16 +119,20 @@ Validator targets_reached(Team team, std::int64_t count_min) {
 }
 
 Validator own_contacts_at_most(std::int64_t count_max) {
-  return {"contacts inside teams", Validator::When::always,
-          [count_max](const Observation& seen) -> std::optional<Violation> {
-            const std::int64_t count = seen.contacts.own_yellow + seen.contacts.own_blue;
-            if (count <= count_max) return std::nullopt;
-            return violation(std::nullopt, static_cast<double>(count), static_cast<double>(count_max), "");
+  return {"contacts inside teams", Validator::When::always, [count_max](const Observation& seen) {
+            return too_many(seen.contacts.own_yellow + seen.contacts.own_blue, count_max);
           }};
 }
 
+Validator opponent_contacts_at_most(std::int64_t count_max) {
+  return {"contacts between teams", Validator::When::always,
+          [count_max](const Observation& seen) { return too_many(seen.contacts.opponent, count_max); }};
+}
+
 std::vector<Validator> validators_of(const Scenario& scenario, const RobotLimits& limits) {
-  std::vector<Validator> validators{inside_field(field_of(scenario), limits.radius_m), within_speed_limits(limits)};
+  const FieldGeometry field = field_of(scenario);
+  std::vector<Validator> validators{inside_field(field, limits.radius_m), within_speed_limits(limits),
+                                    commands_within_limits(limits), defence_areas_kept(field, limits.radius_m)};
   if (scenario.expect.targets_per_team_min > 0) {
     for (const Team team : {Team::yellow, Team::blue}) {
       validators.push_back(targets_reached(team, scenario.expect.targets_per_team_min));
@@ -79,6 +140,9 @@ std::vector<Validator> validators_of(const Scenario& scenario, const RobotLimits
   }
   if (scenario.expect.own_contacts_max >= 0) {
     validators.push_back(own_contacts_at_most(scenario.expect.own_contacts_max));
+  }
+  if (scenario.expect.opponent_contacts_max >= 0) {
+    validators.push_back(opponent_contacts_at_most(scenario.expect.opponent_contacts_max));
   }
   return validators;
 }

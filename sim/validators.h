@@ -3,9 +3,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "control/velocity_command.h"
 #include "sim/contacts.h"
 #include "sim/scenario.h"
 #include "world_model/types/world_state.h"
@@ -18,6 +20,7 @@ struct Observation {
   const ContactCounts& contacts;
   std::int64_t reached_yellow = 0;  ///< targets so far
   std::int64_t reached_blue = 0;
+  std::span<const TeamCommands> commands = {};  ///< what each team commanded last, before any limit of the simulator
 };
 
 struct Violation {
@@ -43,12 +46,24 @@ struct Validator {
 
 /// Every robot's disc stays inside the boards.
 Validator inside_field(const FieldGeometry& field, double radius_m);
-/// No robot drives or turns faster than it can.
+/// No robot drives or turns faster than it can. The simulator cuts commands to the limits, so this judges the
+/// simulator; commands_within_limits judges who commands.
 Validator within_speed_limits(const RobotLimits& limits);
+/// No robot is told to drive or turn faster than it can. How fast commands change is not judged: they are in the body's
+/// frame of a heading that only the controller knows, and may jump where a robot that was hit is picked up.
+Validator commands_within_limits(const RobotLimits& limits);
+/// The longest a body may be wholly inside a defence area it does not belong to: who is pushed in must be able to get
+/// out, and driving across Division A's (1.8 m) at full speed takes less.
+inline constexpr Duration kAreaStay{2'000'000};
+/// No robot's body is wholly inside a defence area for longer than kAreaStay at a stretch. Robots that are inside when
+/// first seen may stay until they leave. Remembers the robots of one run.
+Validator defence_areas_kept(const FieldGeometry& field, double radius_m);
 /// At the end the team has reached at least so many targets.
 Validator targets_reached(Team team, std::int64_t count_min);
 /// Contacts inside both teams together never exceed the number.
 Validator own_contacts_at_most(std::int64_t count_max);
+/// The same of contacts between the teams, whoever is at fault.
+Validator opponent_contacts_at_most(std::int64_t count_max);
 
 /// What a scenario asks for, with the limits the simulator was given.
 std::vector<Validator> validators_of(const Scenario& scenario, const RobotLimits& limits);

@@ -5,6 +5,33 @@
 #include <numeric>
 
 namespace regista {
+namespace {
+
+/// Levenshtein's edit distance: how many letters to insert, delete or replace.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
+  const auto nearest = std::min_element(known.begin(), known.end(), [&](const std::string& a, const std::string& b) {
+    return edit_distance(name, a) < edit_distance(name, b);
+  });
+  return nearest == known.end() ? "" : *nearest;
+}
+
 namespace params_detail {
 namespace {
 
@@ -21,22 +48,6 @@ void parse_number(const std::string& key, std::string_view text, Range range, T&
                      "]");
   }
   out = value;
-}
-
-/// Levenshtein's edit distance: how many letters to insert, delete or replace.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
 }
 
 }  // namespace
@@ -63,11 +74,11 @@ void parse(const std::string& key, std::string_view text, Range, bool& out) {
 void parse(const std::string&, std::string_view text, Range, std::string& out) { out = std::string(text); }
 
 void unknown_key(std::string_view key, const std::vector<ParamInfo>& known) {
-  const auto nearest = std::min_element(known.begin(), known.end(), [&](const ParamInfo& a, const ParamInfo& b) {
-    return edit_distance(key, a.key) < edit_distance(key, b.key);
-  });
+  std::vector<std::string> keys;
+  for (const ParamInfo& info : known) keys.push_back(info.key);
+  const std::string nearest = nearest_name(key, keys);
   throw ParamError("unknown parameter '" + std::string(key) + "'" +
-                   (nearest == known.end() ? std::string() : ", did you mean '" + nearest->key + "'?"));
+                   (nearest.empty() ? nearest : ", did you mean '" + nearest + "'?"));
 }
 
 }  // namespace params_detail

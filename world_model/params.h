@@ -29,6 +29,10 @@ struct ParamInfo {
   bool operator==(const ParamInfo&) const = default;
 };
 
+/// The name that fewest letters inserted, deleted or replaced turn into `name` (Levenshtein); the first of equals, ""
+/// when none is known.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
+
 namespace params_detail {
 
 std::string print(double value);

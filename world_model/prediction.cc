@@ -88,14 +88,6 @@ void check(Time state_time, Time until, std::span<const SentVelocity> sent, doub
 
 }  // namespace
 
-RobotState predicted(const RobotState& robot, Duration ahead) {
-  RobotState out = robot;
-  const double t = to_seconds(ahead);
-  out.pose.position_m += robot.twist.velocity_mps * t;
-  out.pose.heading_rad = wrap_angle(robot.pose.heading_rad + robot.twist.angular_radps * t);
-  return out;
-}
-
 RobotState predicted(const RobotState& robot, Time state_time, Time until, std::span<const SentVelocity> sent,
                      Duration latency, double velocity_lag_s) {
   check(state_time, until, sent, velocity_lag_s);

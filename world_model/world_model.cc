@@ -1,38 +1,34 @@
 #include "world_model/world_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <tuple>
 
 #include "world_model/prediction.h"
+#include "world_model/types/plausible.h"
 
 namespace regista {
 namespace {
 
-// Beyond these a number is no measurement but an error on its way here.
-constexpr double kPosition_m = 1000.0;
-constexpr double kHeading_rad = 100.0;
-constexpr double kSpeed = 1000.0;                          // m/s and rad/s
-constexpr std::int64_t kStamp_us = std::int64_t{1} << 60;  // differences of two fit 64 bits
+constexpr double kHeading_rad = 100.0;  // a source may count turns, but not for ever
 
-/// Commands kept per robot: at 100 Hz more than any latency holds.
-constexpr std::size_t kCommandsMax = 256;
+/// Commands kept per robot: 100 Hz over the longest latency_s and robot_lost_after_s, 61 s.
+constexpr std::size_t kCommandsMax = 6400;
 
 void require(double value, double limit, const std::string& what) {
-  if (std::isfinite(value) && std::abs(value) <= limit) return;
+  if (is_plausible(value, limit)) return;
   throw std::invalid_argument(what + " is " + std::to_string(value) + ", outside ±" + std::to_string(limit));
 }
 
 void require(Time time, const std::string& what) {
-  if (to_us(time) <= kStamp_us && to_us(time) >= -kStamp_us) return;
+  if (to_us(time) <= kLatestStamp_us && to_us(time) >= -kLatestStamp_us) return;
   throw std::invalid_argument(what + " is " + std::to_string(to_us(time)) + " us, no possible time");
 }
 
 void require(const Vec2& position_m, double confidence, const std::string& whose) {
-  require(position_m.x(), kPosition_m, whose + ": x in m");
-  require(position_m.y(), kPosition_m, whose + ": y in m");
+  require(position_m.x(), kFarthest_m, whose + ": x in m");
+  require(position_m.y(), kFarthest_m, whose + ": y in m");
   require(confidence, 1e6, whose + ": confidence");
 }
 
@@ -56,7 +52,6 @@ FrameResult WorldModel::add_frame(const VisionFrame& frame) {
   if (result == FrameResult::restarted) {
     robots_.clear();
     ball_.reset();
-    sent_.clear();
   } else if (result != FrameResult::taken) {
     return result;
   }
@@ -89,7 +84,7 @@ void WorldModel::take_robot(const RobotDetection* first, const RobotDetection* l
     return;
   }
   RobotTrack& track = found->second;
-  track.filter.advance(captured, commands_of(first->id, captured), params_.robot);
+  track.filter.advance(captured, commands_of(track, captured), params_.robot);
   const Pose& pose = std::min_element(first, last, [&](const RobotDetection& a, const RobotDetection& b) {
                        return track.filter.distance_m(a.pose, captured) < track.filter.distance_m(b.pose, captured);
                      })->pose;
@@ -142,23 +137,28 @@ void WorldModel::take_ball(const VisionFrame& frame) {
 }
 
 void WorldModel::remove_lost() {
-  const Time now = *gate_.newest();
-  std::erase_if(robots_,
-                [&](const auto& entry) { return now - entry.second.seen > from_seconds(params_.robot_lost_after_s); });
-  if (ball_ && now - ball_->seen > from_seconds(params_.ball_lost_after_s)) ball_.reset();
+  const auto lost = [&](const auto& track, double lost_after_s) {
+    const bool believed = track.sightings >= params_.believed_after;
+    const double after_s = believed ? lost_after_s : std::min(lost_after_s, params_.unconfirmed_lost_after_s);
+    return *gate_.newest() - track.seen > from_seconds(after_s);
+  };
+  std::erase_if(robots_, [&](const auto& entry) { return lost(entry.second, params_.robot_lost_after_s); });
+  if (ball_ && lost(*ball_, params_.ball_lost_after_s)) ball_.reset();
 }
 
 bool WorldModel::add_command(RobotId id, const SentVelocity& command) {
   const std::string whose = "command of robot " + to_string(id);
   require(command.captured, whose + ": capture time");
-  require(command.velocity.forward_mps, kSpeed, whose + ": forward in m/s");
-  require(command.velocity.left_mps, kSpeed, whose + ": left in m/s");
-  require(command.velocity.angular_radps, kSpeed, whose + ": angular in rad/s");
-  if (!gate_.newest()) return false;
+  require(command.velocity.forward_mps, kFastest_mps, whose + ": forward in m/s");
+  require(command.velocity.left_mps, kFastest_mps, whose + ": left in m/s");
+  require(command.velocity.angular_radps, kFastestTurn_radps, whose + ": angular in rad/s");
+  const auto found = robots_.find(id);
+  if (found == robots_.end()) return false;
   const double ahead_s = to_seconds(command.captured - *gate_.newest());
   if (ahead_s < -params_.frames.clock_back_s || ahead_s > params_.frames.clock_back_s) return false;
 
-  std::vector<SentVelocity>& sent = sent_[id];
+  RobotTrack& track = found->second;
+  std::vector<SentVelocity>& sent = track.sent;
   const auto at = std::lower_bound(sent.begin(), sent.end(), command.captured,
                                    [](const SentVelocity& known, Time captured) { return known.captured < captured; });
   if (at != sent.end() && at->captured == command.captured) {
@@ -166,19 +166,21 @@ bool WorldModel::add_command(RobotId id, const SentVelocity& command) {
   } else {
     sent.insert(at, command);
   }
-  // The first may go once the second acts at all times that can still be asked for: a lost robot's are the oldest.
-  const Time oldest = *gate_.newest() - from_seconds(params_.latency_s + params_.robot_lost_after_s);
-  while (sent.size() > kCommandsMax || (sent.size() > 1 && sent[1].captured < oldest)) sent.erase(sent.begin());
+  // Only what moves the robot after its estimate's time will be asked for: the first may go once the second acts then.
+  const Time asked = track.filter.time() - from_seconds(params_.latency_s);
+  const auto acting =
+      std::find_if(sent.begin() + 1, sent.end(), [&](const auto& next) { return next.captured > asked; });
+  sent.erase(sent.begin(), acting - 1);
+  if (sent.size() > kCommandsMax) sent.erase(sent.begin());
   return true;
 }
 
 /// The commands that tell how the robot moves until `at`; none where they have stopped coming.
-CommandModel WorldModel::commands_of(RobotId id, Time at) const {
-  const auto found = sent_.find(id);
-  if (!params_.use_commands || found == sent_.end() || found->second.empty()) return {};
+CommandModel WorldModel::commands_of(const RobotTrack& track, Time at) const {
+  if (!params_.use_commands || track.sent.empty()) return {};
   const Duration latency = from_seconds(params_.latency_s);
-  if (at - (found->second.back().captured + latency) > from_seconds(params_.command_timeout_s)) return {};
-  return {found->second, latency, params_.velocity_lag_s};
+  if (at - (track.sent.back().captured + latency) > from_seconds(params_.command_timeout_s)) return {};
+  return {track.sent, latency, params_.velocity_lag_s};
 }
 
 WorldState WorldModel::state() {
@@ -191,8 +193,8 @@ WorldState WorldModel::state() {
   for (const auto& [id, track] : robots_) {
     if (track.sightings < params_.believed_after) continue;
     RobotFilter filter = track.filter;
-    filter.advance(world.captured, commands_of(id, world.captured), params_.robot);
-    const CommandModel ahead = commands_of(id, world.valid_at);
+    filter.advance(world.captured, commands_of(track, world.captured), params_.robot);
+    const CommandModel ahead = commands_of(track, world.valid_at);
     RobotState robot = predicted(filter.state(id, world.captured - track.seen), world.captured, world.valid_at,
                                  ahead.sent, ahead.latency, ahead.velocity_lag_s);
     filter.advance(world.valid_at, {}, params_.robot);  // for the variances

@@ -23,6 +23,7 @@ struct WorldModelParams {
   FrameGateParams frames;
   double robot_lost_after_s = 0.5;
   double ball_lost_after_s = 1.0;
+  double unconfirmed_lost_after_s = 0.05;  // a few frames: a false detection that returns twice a second stays one
   /// Two: a single false detection must not stand as an obstacle for robot_lost_after_s, and one detection shows no
   /// velocity anyway; it costs one frame when a robot appears.
   std::int64_t believed_after = 2;
@@ -41,6 +42,8 @@ struct WorldModelParams {
     v.group("frames", self.frames);
     v("robot_lost_after_s", self.robot_lost_after_s, Range{0.0, 60.0}, "s", "a robot unseen for longer is gone");
     v("ball_lost_after_s", self.ball_lost_after_s, Range{0.0, 60.0}, "s", "a ball unseen for longer is gone");
+    v("unconfirmed_lost_after_s", self.unconfirmed_lost_after_s, Range{0.0, 60.0}, "s",
+      "a robot or ball not yet believed and unseen for longer is forgotten");
     v("believed_after", self.believed_after, Range{1.0, 1000.0}, "", "detections before a robot or ball is reported");
     v("teleport_detections", self.teleport_detections, Range{1.0, 1000.0}, "",
       "agreeing detections in a row elsewhere before a robot or ball is taken to be there");
@@ -64,8 +67,11 @@ class WorldModel {
   /// Throws std::invalid_argument, and changes nothing, where a value is not finite or not of this world.
   FrameResult add_frame(const VisionFrame& frame);
 
+  /// How many frames add_frame gave which result, since the beginning.
+  const FrameCounts& frame_counts() const { return gate_.counts(); }
+
   /// A command sent to a robot, in any order; of those with the same capture time the last counts. False, and not
-  /// used, when its capture time is a clock jump away from the newest frame, or there is no frame yet. Throws
+  /// used, when the robot is not seen, or the command's capture time is a clock jump away from the newest frame. Throws
   /// std::invalid_argument where a value is not finite or not of this world.
   bool add_command(RobotId id, const SentVelocity& command);
 
@@ -79,6 +85,7 @@ class WorldModel {
     Time seen{};
     std::int64_t sightings = 1;
     TeleportGuard guard{};
+    std::vector<SentVelocity> sent{};  // to this robot, sorted by capture time
   };
   struct BallTrack {
     BallFilter filter;
@@ -91,13 +98,12 @@ class WorldModel {
   void take_robot(const RobotDetection* first, const RobotDetection* last, Time captured);
   void take_ball(const VisionFrame& frame);
   void remove_lost();
-  CommandModel commands_of(RobotId id, Time at) const;
+  CommandModel commands_of(const RobotTrack& track, Time at) const;
 
   WorldModelParams params_;
   FrameGate gate_;
   std::map<RobotId, RobotTrack> robots_;
   std::optional<BallTrack> ball_;
-  std::map<RobotId, std::vector<SentVelocity>> sent_;  // sorted by capture time
   std::uint64_t sequence_ = 0;
 };
 

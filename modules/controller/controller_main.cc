@@ -1,5 +1,6 @@
 #include "modules/controller/controller_module.h"
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
+#include "modules/setup/module_setup.h"
 
 int main(int argc, char** argv) {
   using namespace regista;
@@ -9,9 +10,8 @@ int main(int argc, char** argv) {
        .per_team = true,
        .make =
            [](const ModuleContext& context) {
-             ControllerModuleParams params;
-             context.config.apply("controller", params, name(context.team));
-             return std::make_unique<ControllerModule>(context.bus, context.team, params, context.stopwatch);
+             return std::make_unique<ControllerModule>(
+                 context.bus, context.team, controller_params_of(context.config, context.team), context.stopwatch);
            }},
       argc, argv);
 }

@@ -30,19 +30,20 @@ ControllerModule::ControllerModule(Bus& bus, Team team, const ControllerModulePa
 
 void ControllerModule::keep(RobotPlan plan) {
   if (plan.robot.team != team_) return;
-  if (plan.world_sequence != set_sequence_) {
-    set_sequence_ = plan.world_sequence;
-    set_received_ = 0;
-  }
-  ++set_received_;
-  set_size_ = plan.set_size;
   const std::uint16_t robot = plan.robot.number;
   plans_[robot] = {std::move(plan), bus().now()};
 }
 
 bool ControllerModule::set_is_complete() const {
-  return world_.newest() != nullptr && set_received_ >= set_size_ && set_received_ > 0 &&
-         set_sequence_ == world_.newest()->sequence;
+  if (world_.newest() == nullptr) return false;
+  std::uint32_t of_this_world = 0;  // robots, not messages: one that comes twice makes no set complete
+  std::uint32_t set_size = 1;
+  for (const auto& [robot, kept] : plans_) {
+    if (kept.plan.world_sequence != world_.newest()->sequence) continue;
+    ++of_this_world;
+    set_size = kept.plan.set_size;
+  }
+  return of_this_world >= set_size;
 }
 
 Time ControllerModule::plans_due() const { return world_.arrived() + from_seconds(params_.plan_wait_s); }
@@ -76,8 +77,13 @@ void ControllerModule::on_tick(Time now) {
 
 std::vector<RobotPlan> ControllerModule::fresh_plans(Time now) const {
   std::vector<RobotPlan> fresh;
+  if (world_.newest() == nullptr) return fresh;
+  const Duration deadline = from_seconds(params_.control.plan_deadline_s);
   for (const auto& [robot, kept] : plans_) {
-    if (now - kept.arrived <= from_seconds(params_.control.plan_deadline_s)) fresh.push_back(kept.plan);
+    // Both stamps are of the same vision: a planner that lags behind, or a replayed plan, is late by them even when its
+    // message has just come in.
+    const Duration behind = world_.newest()->captured - kept.plan.captured;
+    if (now - kept.arrived <= deadline && behind <= deadline && behind >= -deadline) fresh.push_back(kept.plan);
   }
   return fresh;
 }

@@ -56,9 +56,6 @@ class ControllerModule : public Module {
   Mailbox<WorldState> world_;
   Listener<RobotPlan> plan_listener_;
   std::map<std::uint16_t, KeptPlan> plans_;
-  std::uint64_t set_sequence_ = 0;     ///< world state of the newest set of plans
-  std::uint32_t set_received_ = 0;     ///< how many of that set have come
-  std::uint32_t set_size_ = 0;         ///< how many belong to it
   std::optional<Time> last_captured_;  ///< of the world the last command was made from
   std::optional<Time> braked_at_;      ///< last braking command since the world went quiet
   bool standing_ = true;               ///< our last command moves nothing: no need to go on braking

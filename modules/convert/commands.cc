@@ -23,7 +23,7 @@ RobotCommand from_message(const robot_command_t& message) {
   RobotCommand command;
   command.robot = number_from(message.robot);
   const Vec2 velocity = velocity_from(message.forward_mps, message.left_mps);
-  command.velocity = {velocity.x(), velocity.y(), finite(message.angular_radps, "angular_radps")};
+  command.velocity = {velocity.x(), velocity.y(), turn_from(message.angular_radps)};
   for (std::size_t i = 0; i < command.wheel_speeds_radps.size(); ++i) {
     command.wheel_speeds_radps[i] = finite(message.wheel_speeds_radps[i], "wheel_speeds_radps");
   }

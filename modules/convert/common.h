@@ -1,11 +1,13 @@
 // The parts that several messages share: teams, robot numbers, points, stamps.
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "modules/convert/message.h"
 #include "regista/point_t.hpp"
 #include "world_model/types/geometry.h"
+#include "world_model/types/plausible.h"
 #include "world_model/types/robot_id.h"
 #include "world_model/types/time.h"
 
@@ -28,25 +30,28 @@ inline std::uint64_t sequence_from(std::int64_t code) {
   return static_cast<std::uint64_t>(code);
 }
 
-/// Positions and speeds beyond these are no robot's: a hostile or foreign message (metres, metres per second).
-inline constexpr double kFarthest_m = 1e4;
-inline constexpr double kFastest_mps = 1e3;
+inline double plausible(double value, double largest, const char* field) {
+  require(is_plausible(value, largest),
+          std::string(field) + " is " + std::to_string(value) + ", beyond ±" + std::to_string(largest));
+  return value;
+}
 
 inline Vec2 position_from(double x_m, double y_m) {
-  require(std::abs(finite(x_m, "x_m")) <= kFarthest_m && std::abs(finite(y_m, "y_m")) <= kFarthest_m,
-          "position " + std::to_string(x_m) + ", " + std::to_string(y_m) + " is farther than 10 km");
-  return {x_m, y_m};
+  return {plausible(x_m, kFarthest_m, "x_m"), plausible(y_m, kFarthest_m, "y_m")};
 }
 
-inline Vec2 velocity_from(double vx_mps, double vy_mps) {
-  require(std::abs(finite(vx_mps, "vx_mps")) <= kFastest_mps && std::abs(finite(vy_mps, "vy_mps")) <= kFastest_mps,
-          "velocity " + std::to_string(vx_mps) + ", " + std::to_string(vy_mps) + " is faster than 1 km/s");
-  return {vx_mps, vy_mps};
+inline Vec2 velocity_from(double x_mps, double y_mps) {
+  return {plausible(x_mps, kFastest_mps, "velocity along x"), plausible(y_mps, kFastest_mps, "velocity along y")};
 }
+
+inline double turn_from(double angular_radps) { return plausible(angular_radps, kFastestTurn_radps, "angular_radps"); }
+
+/// 0–1; some sources report more, which counts as 1.
+inline double confidence_from(double confidence) { return std::min(at_least(confidence, 0.0, "confidence"), 1.0); }
 
 inline Pose pose_from(double x_m, double y_m, double heading_rad) {
-  require(std::abs(finite(heading_rad, "heading_rad")) <= 1e3, "heading_rad is " + std::to_string(heading_rad));
-  return {position_from(x_m, y_m), wrap_angle(heading_rad)};
+  constexpr double kMostTurns_rad = 100.0;  // a source may count turns, but not for ever
+  return {position_from(x_m, y_m), wrap_angle(plausible(heading_rad, kMostTurns_rad, "heading_rad"))};
 }
 
 /// A text with a zero byte in it would not survive the next encoding.
@@ -57,11 +62,14 @@ inline std::string text_from(const std::string& text, const char* field) {
 
 inline point_t to_point(const Vec2& p) { return {p.x(), p.y()}; }
 
-/// Stamps within ±285,000 years, so that differences cannot overflow.
 inline Time time_from(std::int64_t stamp_us) {
-  constexpr std::int64_t kLimit_us = std::int64_t{1} << 62;
-  require(stamp_us >= -kLimit_us && stamp_us <= kLimit_us, "stamp_us is " + std::to_string(stamp_us));
+  require(stamp_us >= -kLatestStamp_us && stamp_us <= kLatestStamp_us, "stamp is " + std::to_string(stamp_us) + " us");
   return from_us(stamp_us);
+}
+
+inline Duration age_from(std::int64_t age_us) {
+  require(age_us >= 0 && age_us <= kLatestStamp_us, "age_us is " + std::to_string(age_us));
+  return Duration{age_us};
 }
 
 }  // namespace regista

@@ -31,10 +31,10 @@ VisionFrame MessageOf<VisionFrame>::from_message(const vision_frame_t& message) 
   for (const robot_detection_t& robot : message.robots) {
     frame.robots.push_back({{team_from(robot.team), number_from(robot.number)},
                             pose_from(robot.x_m, robot.y_m, robot.heading_rad),
-                            at_least(robot.confidence, 0.0, "confidence")});
+                            confidence_from(robot.confidence)});
   }
   for (const ball_detection_t& ball : message.balls) {
-    frame.balls.push_back({position_from(ball.x_m, ball.y_m), at_least(ball.confidence, 0.0, "confidence")});
+    frame.balls.push_back({position_from(ball.x_m, ball.y_m), confidence_from(ball.confidence)});
   }
   return frame;
 }
@@ -62,7 +62,7 @@ FieldAnnouncement MessageOf<FieldAnnouncement>::from_message(const field_geometr
   FieldGeometry field;
   field.length_m = at_least(message.length_m, kSmallest_m, "length_m");
   field.width_m = at_least(message.width_m, kSmallest_m, "width_m");
-  require(field.length_m <= kFarthest_m && field.width_m <= kFarthest_m, "the field is larger than 10 km");
+  require(field.length_m <= kFarthest_m && field.width_m <= kFarthest_m, "the field is larger than 1 km");
   field.margin_goal_line_m = at_least(message.margin_goal_line_m, 0.0, "margin_goal_line_m");
   field.margin_touch_line_m = at_least(message.margin_touch_line_m, 0.0, "margin_touch_line_m");
   field.defence_depth_m = at_least(message.defence_depth_m, 0.0, "defence_depth_m");

@@ -16,11 +16,11 @@ RobotState from_message(const robot_state_t& message) {
   RobotState robot;
   robot.id = {team_from(message.team), number_from(message.number)};
   robot.pose = pose_from(message.x_m, message.y_m, message.heading_rad);
-  robot.twist = {velocity_from(message.vx_mps, message.vy_mps), finite(message.angular_radps, "angular_radps")};
+  robot.twist = {velocity_from(message.vx_mps, message.vy_mps), turn_from(message.angular_radps)};
   robot.position_variance_m2 = at_least(message.position_variance_m2, 0.0, "position_variance_m2");
   robot.velocity_variance_m2ps2 = at_least(message.velocity_variance_m2ps2, 0.0, "velocity_variance_m2ps2");
   robot.heading_variance_rad2 = at_least(message.heading_variance_rad2, 0.0, "heading_variance_rad2");
-  robot.age = Duration{message.age_us};
+  robot.age = age_from(message.age_us);
   return robot;
 }
 
@@ -35,7 +35,7 @@ BallState from_message(const ball_state_t& message) {
   ball.velocity_mps = velocity_from(message.vx_mps, message.vy_mps);
   ball.position_variance_m2 = at_least(message.position_variance_m2, 0.0, "position_variance_m2");
   ball.velocity_variance_m2ps2 = at_least(message.velocity_variance_m2ps2, 0.0, "velocity_variance_m2ps2");
-  ball.age = Duration{message.age_us};
+  ball.age = age_from(message.age_us);
   return ball;
 }
 

@@ -44,10 +44,39 @@ class PlanningTimes {
   Listener<Timing> listener_;
 };
 
-Observation observe(const WorldState& truth, const WholeLoop& modules) {
-  return {truth, modules.sim->simulator().contact_counts(), modules.task->reached(Team::yellow),
-          modules.task->reached(Team::blue)};
-}
+/// Shows the validators every frame: the truth, the score, and what the teams were told last.
+class Judge {
+ public:
+  Judge(Bus& bus, const WholeLoop& modules, std::vector<Validator> validators)
+      : modules_(modules),
+        validation_(std::move(validators)),
+        yellow_(bus, channels::commands(Team::yellow)),
+        blue_(bus, channels::commands(Team::blue)) {}
+
+  void observe() {
+    with_observation([this](const Observation& observation) { validation_.observe(observation); });
+  }
+  std::vector<Violation> finish() {
+    with_observation([this](const Observation& observation) { validation_.finish(observation); });
+    return validation_.violations();
+  }
+
+ private:
+  void with_observation(const std::function<void(const Observation&)>& use) {
+    const WorldState truth = modules_.sim->simulator().truth();
+    std::vector<TeamCommands> commands;
+    for (const auto* newest : {yellow_.newest(), blue_.newest()}) {
+      if (newest != nullptr) commands.push_back(*newest);
+    }
+    use({truth, modules_.sim->simulator().contact_counts(), modules_.task->reached(Team::yellow),
+         modules_.task->reached(Team::blue), commands});
+  }
+
+  WholeLoop modules_;
+  Validation validation_;
+  Mailbox<TeamCommands> yellow_;
+  Mailbox<TeamCommands> blue_;
+};
 
 void note_score(RunSummary& summary, const WholeLoop& modules) {
   summary.reached_yellow = modules.task->reached(Team::yellow);
@@ -61,11 +90,12 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
   RunSummary summary;
   summary.scenario = config.scenario();
   LockStep loop{Time{}};
-  std::optional<Recorder> recorder;
-  if (!options.log_file.empty()) recorder.emplace(loop, options.log_file);
   PlanningTimes planning(loop.bus());
   const WholeLoop modules = add_whole_loop(loop, config, stopwatch);
-  Validation validation(validators_of(summary.scenario, modules.sim->simulator().params().limits));
+  // After the modules: a configuration that they refuse must not cost an older log.
+  std::optional<Recorder> recorder;
+  if (!options.log_file.empty()) recorder.emplace(loop, options.log_file);
+  Judge judge(loop.bus(), modules, validators_of(summary.scenario, modules.sim->simulator().params().limits));
 
   const Time end = Time{} + from_seconds(summary.scenario.duration_s);
   const Duration period = from_seconds(1.0 / modules.sim->simulator().params().vision.rate_hz);
@@ -76,8 +106,7 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
     const std::int64_t frame_begin_ns = stopwatch();
     loop.run_until(std::min(end, loop.now() + period));
     frames_ns.push_back(stopwatch() - frame_begin_ns);
-    const WorldState truth = modules.sim->simulator().truth();
-    validation.observe(observe(truth, modules));
+    judge.observe();
     if (loop.now() < next_progress) continue;
     next_progress += kProgressEvery;
     note_score(summary, modules);
@@ -86,9 +115,7 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
   summary.wall_s = static_cast<double>(stopwatch() - begin_ns) * 1e-9;
   summary.simulated_s = to_seconds(loop.now() - Time{});
   note_score(summary, modules);
-  const WorldState truth = modules.sim->simulator().truth();
-  validation.finish(observe(truth, modules));
-  summary.violations = validation.violations();
+  summary.violations = judge.finish();
   summary.robot_planning = planning.robot();
   summary.team_planning = planning.team();
   summary.frame = percentiles(std::move(frames_ns));

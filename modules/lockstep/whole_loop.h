@@ -30,6 +30,9 @@ TaskModule& add_task(LockStep& loop, const Config& config);
 PlannerModule& add_planner(LockStep& loop, const Config& config, Team team, const Stopwatch& stopwatch);
 ControllerModule& add_controller(LockStep& loop, const Config& config, Team team, const Stopwatch& stopwatch);
 
+/// Checks all sections for these modules without making one. Throws ConfigError.
+void check_parameters(const Config& config);
+
 /// All of them, in the order of the data's way.
 WholeLoop add_whole_loop(LockStep& loop, const Config& config, const Stopwatch& stopwatch);
 

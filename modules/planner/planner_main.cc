@@ -1,5 +1,6 @@
 #include "modules/planner/planner_module.h"
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
+#include "modules/setup/module_setup.h"
 
 int main(int argc, char** argv) {
   using namespace regista;
@@ -8,9 +9,8 @@ int main(int argc, char** argv) {
                       .per_team = true,
                       .make =
                           [](const ModuleContext& context) {
-                            PlannerModuleParams params;
-                            context.config.apply("planner", params, name(context.team));
-                            return std::make_unique<PlannerModule>(context.bus, context.team, params,
+                            return std::make_unique<PlannerModule>(context.bus, context.team,
+                                                                   planner_params_of(context.config, context.team),
                                                                    context.stopwatch);
                           }},
                      argc, argv);

@@ -26,7 +26,7 @@ PlannerModule::PlannerModule(Bus& bus, Team team, const PlannerModuleParams& par
       targets_(bus, channels::targets(team)) {
   planner_.use(params.use);
   expose<PlannerModuleParams>(params_, [this](const PlannerModuleParams& changed) {
-    if (changed.use != params_.use) planner_.use(changed.use);
+    if (changed.use != params_.use) planner_.use(changed.use);  // the only step that may throw
     planner_.set_params(changed.planning);
     params_ = changed;
   });
@@ -41,7 +41,8 @@ PlannerModule::PlannerModule(Bus& bus, Team team, const PlannerModuleParams& par
 const char* PlannerModule::waits_for() const {
   if (world_.newest() == nullptr) return "WORLD_STATE";
   if (geometry_.newest() == nullptr) return "GEOMETRY";
-  if (!targets_.is_younger_than(from_seconds(params_.targets_deadline_s))) return "TARGETS";
+  const bool ours = targets_.newest() != nullptr && targets_.newest()->team == team_;
+  if (!ours || !targets_.is_younger_than(from_seconds(params_.targets_deadline_s))) return "TARGETS";
   return nullptr;
 }
 

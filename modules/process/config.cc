@@ -10,8 +10,21 @@
 namespace regista {
 namespace {
 
-constexpr std::array<std::string_view, 9> kSections{"scenario", "sim",    "world_model", "planner",  "controller",
-                                                    "task",     "viewer", "ssl_vision",  "ssl_radio"};
+struct Section {
+  std::string_view name;
+  bool per_team = false;  ///< may have the subsections .yellow and .blue
+};
+constexpr std::array kSections{
+    Section{"scenario"},         Section{"sim"},        Section{"world_model"}, Section{"planner", true},
+    Section{"controller", true}, Section{"ssl_vision"}, Section{"ssl_radio"}};
+
+bool names_a_team(std::string_view rest) { return rest.starts_with("yellow.") || rest.starts_with("blue."); }
+
+std::string known_sections() {
+  std::string known;
+  for (const Section& section : kSections) known += (known.empty() ? "" : ", ") + std::string(section.name);
+  return known;
+}
 
 std::string text_of(const toml::node& node, const std::string& key) {
   if (const auto* value = node.as_string()) return value->get();
@@ -43,9 +56,10 @@ std::filesystem::path scenario_folder() {
 Config Config::load(const std::string& path, const std::vector<std::string>& settings) {
   Config config;
   if (!path.empty()) {
-    config.origin_ = path + ": ";
+    config.file_ = path;
+    std::vector<std::pair<std::string, std::string>> entries;
     try {
-      flatten(toml::parse_file(path), "", config.entries_);
+      flatten(toml::parse_file(path), "", entries);
     } catch (const toml::parse_error& error) {
       const auto line = error.source().begin.line;
       const std::string place = line > 0 ? path + ":" + std::to_string(line) : path;
@@ -53,35 +67,39 @@ Config Config::load(const std::string& path, const std::vector<std::string>& set
     } catch (const ConfigError& error) {
       throw ConfigError(path + ": " + error.what());
     }
+    for (const auto& [key, text] : entries) config.entries_.push_back({key, text, path + ": "});
   }
   for (const std::string& setting : settings) {
     const std::size_t equals = setting.find('=');
     if (equals == std::string::npos) throw ConfigError("--set " + setting + ": write --set section.key=value");
-    config.entries_.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    config.entries_.push_back({setting.substr(0, equals), setting.substr(equals + 1), "--set " + setting + ": "});
   }
   config.check_sections();
   return config;
 }
 
 void Config::check_sections() const {
-  for (const auto& [key, text] : entries_) {
-    const std::string section = key.substr(0, key.find('.'));
-    if (key.find('.') == std::string::npos ||
-        std::find(kSections.begin(), kSections.end(), section) == kSections.end()) {
-      std::string known;
-      for (const std::string_view name : kSections) known += (known.empty() ? "" : ", ") + std::string(name);
-      throw ConfigError(origin_ + "'" + key + "' belongs to no section, known sections: " + known);
+  for (const Entry& entry : entries_) {
+    const std::size_t dot = entry.key.find('.');
+    const std::string name = entry.key.substr(0, dot);
+    const auto* const section =
+        std::find_if(kSections.begin(), kSections.end(), [&](const Section& known) { return known.name == name; });
+    if (dot == std::string::npos || section == kSections.end()) {
+      throw ConfigError(entry.origin + "'" + entry.key +
+                        "' belongs to no section, known sections: " + known_sections());
+    }
+    if (!section->per_team && names_a_team(std::string_view(entry.key).substr(dot + 1))) {
+      throw ConfigError(entry.origin + "section '" + name + "' is not per team");
     }
   }
 }
 
 std::vector<Config::Entry> Config::entries_of(const std::string& section) const {
   std::vector<Entry> found;
-  for (const auto& [key, text] : entries_) {
-    if (!key.starts_with(section + ".")) continue;
-    const std::string rest = key.substr(section.size() + 1);
-    if (rest.starts_with("yellow.") || rest.starts_with("blue.")) continue;
-    found.emplace_back(rest, text);
+  for (const Entry& entry : entries_) {
+    if (!entry.key.starts_with(section + ".")) continue;
+    const std::string rest = entry.key.substr(section.size() + 1);
+    if (!names_a_team(rest)) found.push_back({rest, entry.text, entry.origin});
   }
   return found;
 }
@@ -92,7 +110,7 @@ Scenario Config::scenario() const {
   try {
     validate(scenario);
   } catch (const std::invalid_argument& error) {
-    throw ConfigError(origin_ + error.what());
+    throw ConfigError((file_.empty() ? "" : file_ + ": ") + error.what());
   }
   return scenario;
 }

@@ -25,30 +25,34 @@ class Config {
   /// Throws ConfigError on an unknown key (naming the nearest) or a bad value.
   template <class P>
   void apply(const std::string& section, P& params, const std::string& team = {}) const {
-    for (const auto& [key, text] : entries_of(section)) set(params, key, text);
+    for (const Entry& entry : entries_of(section)) set(params, entry);
     if (team.empty()) return;
-    for (const auto& [key, text] : entries_of(section + "." + team)) set(params, key, text);
+    for (const Entry& entry : entries_of(section + "." + team)) set(params, entry);
   }
 
   /// [scenario], validated. Throws ConfigError.
   Scenario scenario() const;
 
  private:
-  using Entry = std::pair<std::string, std::string>;  ///< key, value as text
+  struct Entry {
+    std::string key;
+    std::string text;
+    std::string origin;  ///< "file.toml: " or "--set key=value: "
+  };
 
   std::vector<Entry> entries_of(const std::string& section) const;
   void check_sections() const;
 
   template <class P>
-  void set(P& params, const std::string& key, const std::string& text) const {
+  static void set(P& params, const Entry& entry) {
     try {
-      set_param(params, key, text);
+      set_param(params, entry.key, entry.text);
     } catch (const ParamError& error) {
-      throw ConfigError(origin_ + error.what());
+      throw ConfigError(entry.origin + error.what());
     }
   }
 
-  std::string origin_;  ///< "file.toml: " or empty
+  std::string file_;  ///< "" for none
   std::vector<Entry> entries_;
 };
 

@@ -76,7 +76,10 @@ void ProcessLoop::report_if_due() {
   status.skipped = reception.skipped;
   status.refused = reception.refused;
   status.parameters_fingerprint = module_.parameters_fingerprint();
-  status.note = module_.note().empty() ? reception.last_refusal : module_.note();
+  // A refusal is news for one report; the count stays.
+  const bool refused_lately = reception.refused > refused_reported_;
+  refused_reported_ = reception.refused;
+  status.note = refused_lately ? reception.last_refusal : module_.note();
   bus_.publish(channels::status(module_.name()), status);
   tick_times_ns_.clear();
   reported_ = now;

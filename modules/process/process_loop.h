@@ -28,6 +28,7 @@ class ProcessLoop {
   Time reported_;
   std::vector<std::int64_t> tick_times_ns_;  ///< since the last report
   std::int64_t refusals_logged_ = 0;
+  std::int64_t refused_reported_ = 0;
 };
 
 }  // namespace regista

@@ -6,7 +6,7 @@
 #include <memory>
 #include <numbers>
 
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/service_client.h"
 

@@ -4,26 +4,45 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include "modules/regista/command.h"
 
 namespace regista {
 namespace {
 
-constexpr Duration kStatusFresh = std::chrono::seconds(3);  // modules report once a second
+constexpr int kMostPerStep = 10'000;  // messages; one that talks without end must not keep it from watching
 constexpr Duration kStopWait = std::chrono::seconds(2);
 constexpr Duration kStopPoll = std::chrono::milliseconds(10);
 constexpr std::size_t kLinesAtOnce = 20;  // of one module; one that talks without end must not drown the others
 
+/// As modules name it in STATUS.
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "?";
+}
+
+std::vector<std::string> names_of(const std::vector<ChildSpec>& specs) {
+  std::vector<std::string> names;
+  for (const ChildSpec& spec : specs) names.push_back(spec.name);
+  return names;
+}
+
 }  // namespace
 
 Launcher::Launcher(Bus& bus, const std::vector<ChildSpec>& specs, const std::string& folder, Display& display)
-    : bus_(bus), folder_(folder), display_(display), listener_(bus, channels::statuses(), [this](ModuleStatus status) {
-        const std::string module = status.module;
-        reports_[module] = {std::move(status), bus_.now()};
-      }) {
+    : bus_(bus),
+      folder_(folder),
+      display_(display),
+      host_(host_name()),
+      choices_(names_of(specs)),
+      statuses_(bus, channels::statuses(),
+                [this](ModuleStatus status) { reports_.take(std::move(status), bus_.now()); }),
+      requests_(bus, channels::request(), [this](const Request& request) { choices_.take(request); }),
+      replies_(bus, channels::reply(), [this](const Reply& reply) { choices_.take(reply); }) {
   for (const ChildSpec& spec : specs) {
     const std::string path = folder_ + "/" + spec.program;
     if (access(path.c_str(), X_OK) != 0) throw CommandError("no program " + path + ": build it, or leave it out");
@@ -33,11 +52,19 @@ Launcher::Launcher(Bus& bus, const std::vector<ChildSpec>& specs, const std::str
 }
 
 void Launcher::start(Watched& module) {
-  module.process = std::make_unique<ModuleProcess>(folder_ + "/" + module.spec.program, module.spec.arguments);
+  std::vector<std::string> arguments = module.spec.arguments;
+  std::string chosen;
+  for (const std::string& setting : choices_.settings_of(module.spec.name)) {
+    arguments.insert(arguments.end(), {"--set", setting});
+    chosen += (chosen.empty() ? " with " : ", ") + setting;
+  }
+  const char* what = module.started == Time{} ? "started" : "restarted";
+  module.process = std::make_unique<ModuleProcess>(folder_ + "/" + module.spec.program, arguments);
+  own_pids_.insert(module.process->pid());
   module.started = bus_.now();
   module.restart_at.reset();
   module.policy.started(module.started);
-  display_.event(fmt::format("{} started, pid {}", module.spec.name, module.process->pid()));
+  display_.event(fmt::format("{} {}{}, pid {}", module.spec.name, what, chosen, module.process->pid()));
 }
 
 void Launcher::relay_output(Watched& module) {
@@ -74,12 +101,25 @@ void Launcher::watch(Watched& module) {
 }
 
 void Launcher::step(Duration wait) {
-  if (bus_.handle(wait)) {
-    while (bus_.handle(Duration::zero())) {
-    }
-  }
+  bool more = bus_.handle(wait);
+  for (int taken = 1; more && taken < kMostPerStep; ++taken) more = bus_.handle(Duration::zero());
+  reports_.forget_old(bus_.now());
+  tell_twins();
   for (Watched& module : modules_) watch(module);
   display_.update(bus_.now(), rows());
+}
+
+void Launcher::tell_twins() {
+  std::set<std::string> twins;
+  for (const StatusReport& report : reports_.all()) {
+    const std::string text = twins_text(reports_.twins_of(report));
+    if (text.empty() || !twins.insert(report.status.module).second || twins_told_.count(report.status.module) > 0) {
+      continue;
+    }
+    display_.event(
+        fmt::format("{}, pid {} on {}, {}", report.status.module, report.status.pid, report.status.host, text));
+  }
+  twins_told_ = std::move(twins);
 }
 
 bool Launcher::all_ended() {
@@ -118,32 +158,31 @@ ModuleRow Launcher::row_of(const Watched& module) const {
   const Time now = bus_.now();
   row.pid = module.process->pid();
   row.uptime = now - module.started;
-  row.state = row.uptime < kStatusFresh ? "starting" : "silent";
+  row.state = row.uptime < StatusReports::kFresh ? "starting" : "silent";
   row.note.clear();
-  const auto report = reports_.find(module.spec.name);
-  if (report == reports_.end() || now - report->second.arrived > kStatusFresh) return row;
-  const ModuleStatus& status = report->second.status;
-  if (status.pid != *row.pid) {
-    // The report may be the last of its predecessor, who is dead by now.
-    if (report->second.arrived < module.started) return row;
-    row.note = fmt::format("runs twice on this bus: also as pid {} on {}, stop one", status.pid, status.host);
-    return row;
-  }
+  const StatusReport* report = reports_.of(module.spec.name, host_, *row.pid);
+  if (report == nullptr) return row;
   row.state = "running";
-  row.status = status;
-  row.note = status.note;
+  row.status = report->status;
+  const std::string twins = twins_text(reports_.twins_of(*report));
+  row.note = twins.empty() ? report->status.note : twins;
   return row;
+}
+
+ModuleRow Launcher::row_elsewhere(const StatusReport& report) const {
+  const ModuleStatus& status = report.status;
+  std::string note = twins_text(reports_.twins_of(report));
+  if (note.empty()) note = status.note.empty() ? "on " + status.host : status.note;
+  return {status.module, status.pid, "elsewhere", status.uptime, status, note};
 }
 
 std::vector<ModuleRow> Launcher::rows() const {
   std::vector<ModuleRow> rows;
   for (const Watched& module : modules_) rows.push_back(row_of(module));
-  for (const auto& [name, report] : reports_) {
-    const bool ours = std::any_of(modules_.begin(), modules_.end(),
-                                  [&name = name](const Watched& module) { return module.spec.name == name; });
-    if (ours || bus_.now() - report.arrived > kStatusFresh) continue;
-    rows.push_back({name, report.status.pid, "elsewhere", report.status.uptime, report.status,
-                    report.status.note.empty() ? "on " + report.status.host : report.status.note});
+  for (const StatusReport& report : reports_.all()) {
+    // The own ones have their rows, and the reports of their dead predecessors are of no interest.
+    const bool ours = report.status.host == host_ && own_pids_.count(report.status.pid) > 0;
+    if (!ours) rows.push_back(row_elsewhere(report));
   }
   return rows;
 }

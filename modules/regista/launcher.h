@@ -1,9 +1,10 @@
-// Runs a set of modules as child processes: starts them, listens to their STATUS, restarts what dies, ends them all.
+// Runs a set of modules as child processes: starts them, listens to their STATUS, restarts what dies, with what was
+// chosen at run time, ends them all.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@
 #include "modules/regista/module_process.h"
 #include "modules/regista/module_set.h"
 #include "modules/regista/restart_policy.h"
+#include "modules/regista/runtime_choices.h"
+#include "modules/regista/status_reports.h"
 
 namespace regista {
 
@@ -41,25 +44,28 @@ class Launcher {
     bool left = false;      ///< it ended in order and may
     std::string last_line;  ///< it wrote
   };
-  struct Report {
-    ModuleStatus status;
-    Time arrived{};
-  };
-
   void start(Watched& module);
   void watch(Watched& module);
   void bury(Watched& module, const ProcessEnd& end);
   void relay_output(Watched& module);
+  void tell_twins();
   bool all_ended();
   std::vector<ModuleRow> rows() const;
   ModuleRow row_of(const Watched& module) const;
+  ModuleRow row_elsewhere(const StatusReport& report) const;
 
   Bus& bus_;
   std::string folder_;
   Display& display_;
   std::vector<Watched> modules_;
-  std::map<std::string, Report> reports_;  ///< newest STATUS by module, of all modules on the bus
-  Listener<ModuleStatus> listener_;
+  std::string host_;
+  std::set<int> own_pids_;            ///< of all processes started so far
+  StatusReports reports_;             ///< of all modules on the bus
+  std::set<std::string> twins_told_;  ///< modules that run more than once, as said already
+  RuntimeChoices choices_;
+  Listener<ModuleStatus> statuses_;
+  Listener<Request> requests_;
+  Listener<Reply> replies_;
 };
 
 }  // namespace regista

@@ -20,10 +20,11 @@ struct CompareFlags {
 };
 
 int info(const std::string& file) {
+  require_message(file);
   const LogInfo log = log_info(file);
   fmt::print("{}: {:.1f} kB, {} messages, {:.3f} s\n", file, static_cast<double>(log.file_bytes) / 1e3, log.messages,
              to_seconds(log.last - log.first));
-  if (log.messages > 0) fmt::print("{:<24} {:>9} {:>9} {:>12}\n", "channel", "messages", "Hz", "bytes");
+  fmt::print("{:<24} {:>9} {:>9} {:>12}\n", "channel", "messages", "Hz", "bytes");
   for (const ChannelInfo& channel : log.channels) {
     fmt::print("{:<24} {:>9} {:>9.1f} {:>12}\n", channel.channel, channel.messages, rate_hz(channel), channel.bytes);
   }

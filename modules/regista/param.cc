@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/service_client.h"
 

@@ -80,7 +80,7 @@ std::string answer_line(const std::string& line, Planner& planner, const std::st
   json out;
   try {
     const json query = parse_line(line);
-    if (const auto found = query.find("id"); found != query.end()) id = *found;
+    id = id_of(query);
     const PlanQuery parsed = parse_query(query);
     out = to_json(parsed, answer_query(planner, parsed, repeat, stopwatch));
   } catch (const std::exception& error) {

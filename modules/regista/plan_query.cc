@@ -14,6 +14,7 @@ using nlohmann::json;
 // More than any field; squares of it stay far from overflow and rounding below kTouch_m's reach.
 constexpr double kLargest_m = 1e4;
 constexpr double kLongestBudget_us = 1e9;
+constexpr int kDeepest = 16;  // a query needs 4 levels; what is without bound overflows the stack when written
 
 [[noreturn]] void fail(const std::string& where, const std::string& what) { throw QueryError(where + ": " + what); }
 
@@ -138,7 +139,10 @@ std::uint64_t seed_of(const json& query) {
 json parse_line(const std::string& line) {
   json value;
   try {
-    value = json::parse(line);
+    value = json::parse(line, [](int depth, json::parse_event_t, const json&) {
+      if (depth > kDeepest) throw QueryError("no query: nested deeper than " + std::to_string(kDeepest) + " levels");
+      return true;
+    });
   } catch (const json::exception& error) {
     // Without the library's own tag "[json.exception.…] ".
     const std::string text = error.what();
@@ -147,6 +151,13 @@ json parse_line(const std::string& line) {
   }
   if (!value.is_object()) throw QueryError("a query must be a JSON object");
   return value;
+}
+
+json id_of(const json& query) {
+  const auto id = query.find("id");
+  if (id == query.end()) return nullptr;
+  if (!id->is_string() && !id->is_number() && !id->is_null()) fail("id", "must be a string or a number");
+  return *id;
 }
 
 PlanQuery parse_query(const json& query) {

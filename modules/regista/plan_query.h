@@ -26,8 +26,11 @@ struct PlanQuery {
   std::optional<double> budget_us;  ///< per robot; nullopt: no limit, 0: spent at once
 };
 
-/// The line's JSON object. Throws QueryError when it is none.
+/// The line's JSON object. Throws QueryError when it is none, or nested too deep for any query.
 nlohmann::json parse_line(const std::string& line);
+
+/// What the answer carries to be told from others: a string, a number, or null where there is none. Throws QueryError.
+nlohmann::json id_of(const nlohmann::json& query);
 
 /// Required: field {length, width}, radius, obstacles, and start and goal, or robots [{start, goal}]. Optional:
 /// field.margin (0), seed (1), budget_us, ignore (per robot: indices of obstacles that are none for it). Metres. Keys

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/process/real_clock.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/service_client.h"
@@ -65,10 +65,13 @@ int use(const UseFlags& flags) {
 void add_planner(CLI::App& app, Action& action) {
   CLI::App* planner = app.add_subcommand("planner", "list the planners, or swap them while the robots drive");
   planner->require_subcommand(1);
-  planner->add_subcommand("list", "what there is, and what each promises")->callback([&action] { action = list; });
+  const auto flags = std::make_shared<UseFlags>();
+  CLI::App* list_command = planner->add_subcommand("list", "what there is, and what each promises");
+  // Of no effect: the list is the program's own. All of the planner's commands take the same flag.
+  add_bus_flag(*list_command, flags->lcm_url);
+  list_command->callback([flags, &action] { action = list; });
 
   CLI::App* command = planner->add_subcommand("use", "plan with another planner from the next world state on");
-  const auto flags = std::make_shared<UseFlags>();
   command->add_option("planner", flags->planner, "its name, see: regista planner list")->required();
   command->add_option("--team", flags->team, "Y (yellow) or B (blue); without it both")
       ->check(CLI::IsMember({"Y", "B"}));

@@ -1,14 +1,18 @@
 #include "modules/regista/record.h"
 
+#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <memory>
 
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/external_tool.h"
 
@@ -27,11 +31,23 @@ std::string default_file() {
   return std::filesystem::is_directory("logs") ? "logs/" + name : name;
 }
 
+/// Throws CommandError where lcm-logger could not write it, which it would tell only after the announcement.
+void require_writable(const std::string& file) {
+  const bool exists = std::filesystem::exists(file);
+  if (exists && std::filesystem::is_directory(file)) throw CommandError(file + " is a folder: give a file in it");
+  if (exists && !std::filesystem::is_regular_file(file)) return;  // a device; a pipe would wait for its reader
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC | (exists ? 0 : O_CREAT | O_EXCL), 0666);
+  if (descriptor < 0) throw CommandError("cannot write " + file + ": " + std::strerror(errno));
+  close(descriptor);
+  if (!exists) unlink(file.c_str());  // lcm-logger wants to make it itself
+}
+
 int record(const Flags& flags) {
   const std::string file = flags.file.empty() ? default_file() : flags.file;
   if (!flags.force && std::filesystem::exists(file)) {
     throw CommandError(file + " exists: give another name, or --force to replace it");
   }
+  require_writable(file);
   // Here, where it is one line: the bus may have no route.
   { const Bus bus(flags.lcm_url, real_clock()); }
   const std::string tool = find_tool("lcm-logger", "liblcm-bin");

@@ -1,8 +1,10 @@
 // regista: the one command a person types.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 
 #include "modules/regista/command.h"
+#include "modules/regista/command_line.h"
 #include "modules/regista/goto.h"
 #include "modules/regista/log.h"
 #include "modules/regista/param.h"
@@ -33,8 +35,14 @@ int run(int argc, char** argv) {
   regista::add_spy(app, action);
   regista::add_log(app, action);
   regista::add_plan(app, action);
+  std::vector<std::string> arguments = regista::arguments_of(argc, argv);
+  if (const auto unknown = regista::unknown_command(app, arguments)) {
+    std::fprintf(stderr, "regista: %s\n", unknown->c_str());
+    return 2;
+  }
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes a list
   try {
-    app.parse(argc, argv);
+    app.parse(arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

@@ -9,7 +9,7 @@
 
 #include "logs/log_reader.h"
 #include "logs/module_channels.h"
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/external_tool.h"
 
@@ -48,6 +48,7 @@ int replay(const Flags& flags) {
     throw CommandError(file + ": lcm-logplayer takes no '?' in a name, rename it");
   { const Bus bus(flags.lcm_url, real_clock()); }
   const std::string tool = find_tool("lcm-logplayer", "liblcm-bin");
+  require_message(file);
   become(tool,
          {"--speed=" + fmt::format("{}", flags.speed), "--regexp=" + channels, "--lcm-url=" + flags.lcm_url, file});
 }

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "modules/lockstep/scenario_run.h"
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 
 namespace regista {
 namespace {
@@ -33,7 +33,7 @@ void show_progress(double simulated_s, const RunSummary& so_far) {
   std::fflush(stdout);
 }
 
-/// Lets the viewer draw the log's last second. Throws CommandError when that fails.
+/// Lets the viewer draw the log's scene at that time. Throws CommandError when that fails.
 void draw(const std::string& log, const std::string& picture, double at_s) {
   const std::string viewer =
       (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "regista-viewer").string();
@@ -54,7 +54,13 @@ void draw(const std::string& log, const std::string& picture, double at_s) {
 int run(const Options& options) {
   const Config config = Config::load(scenario_file(options.scenario), options.settings);
   const Scenario scenario = config.scenario();
-  std::filesystem::create_directories(options.out);
+  if (scenario.field_source != "sim") {
+    throw CommandError("'" + scenario.name + "' is for a real field: start it with 'regista up', or add --set " +
+                       "scenario.field_source=sim");
+  }
+  std::error_code refused;
+  std::filesystem::create_directories(options.out, refused);
+  if (refused) throw CommandError("cannot make the folder '" + options.out + "': " + refused.message());
   const std::string base = (std::filesystem::path(options.out) / scenario.name).string();
   RunOptions run_options;
   if (!options.no_log) run_options.log_file = base + ".lcmlog";

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/external_tool.h"
 

@@ -6,11 +6,14 @@
 #include <memory>
 #include <optional>
 
-#include "modules/process/module_main.h"
+#include "modules/lockstep/whole_loop.h"
+#include "modules/process/module_program.h"
 #include "modules/process/real_clock.h"
 #include "modules/regista/bus_flag.h"
 #include "modules/regista/external_tool.h"
 #include "modules/regista/launcher.h"
+#include "modules/ssl/ssl_radio_module.h"
+#include "modules/ssl/ssl_vision_module.h"
 
 namespace regista {
 namespace {
@@ -21,10 +24,21 @@ struct Flags {
   std::map<std::string, bool> without;
 };
 
+/// Throws ConfigError for what any module would refuse to start with.
+void check_all_parameters(const Config& config) {
+  check_parameters(config);
+  SslVisionParams vision;
+  config.apply("ssl_vision", vision);
+  SslRadioParams radio;
+  config.apply("ssl_radio", radio);
+}
+
 int up(Flags flags) {
   // Configuration errors are told once, here, and not by eight modules.
-  const std::string file = flags.launch.scenario.empty() ? "" : scenario_file(flags.launch.scenario);
-  flags.launch.real_field = Config::load(file, flags.launch.settings).scenario().field_source == "ssl";
+  const std::string file = scenario_file(flags.launch.scenario);
+  const Config config = Config::load(file, flags.launch.settings);
+  check_all_parameters(config);
+  flags.launch.real_field = config.scenario().field_source == "ssl";
   for (const auto& [module, left_out] : flags.without) {
     if (left_out) flags.launch.left_out.push_back(module);
   }
@@ -51,7 +65,9 @@ int up(Flags flags) {
 void add_up(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("up", "start a scenario's modules, watch and restart them until Ctrl-C");
   const auto flags = std::make_shared<Flags>();
-  command->add_option("scenario", flags->launch.scenario, "a .toml file or the name of a shipped one");
+  flags->launch.scenario = "crossing";
+  command->add_option("scenario", flags->launch.scenario, "a .toml file or the name of a shipped one")
+      ->capture_default_str();
   flags->launch.lcm_url = default_lcm_url();
   add_bus_flag(*command, flags->launch.lcm_url);
   command->add_option("--set", flags->launch.settings, "section.key=value for all modules; may be repeated")

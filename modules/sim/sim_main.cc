@@ -1,6 +1,6 @@
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
+#include "modules/setup/module_setup.h"
 #include "modules/sim/sim_module.h"
-#include "modules/sim/sim_setup.h"
 
 int main(int argc, char** argv) {
   using namespace regista;
@@ -9,7 +9,7 @@ int main(int argc, char** argv) {
                       .make =
                           [](const ModuleContext& context) {
                             return std::make_unique<SimModule>(context.bus,
-                                                               configured_setup(context.config, context.bus.now()));
+                                                               sim_setup_of(context.config, context.bus.now()));
                           }},
                      argc, argv);
 }

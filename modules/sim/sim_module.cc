@@ -13,9 +13,19 @@ SimModule::SimModule(Bus& bus, const SimSetup& setup)
     : Module("sim", bus),
       field_(setup.field),
       simulator_(setup),
-      yellow_commands_(bus, channels::commands(Team::yellow), [this](TeamCommands c) { listen(std::move(c)); }),
-      blue_commands_(bus, channels::commands(Team::blue), [this](TeamCommands c) { listen(std::move(c)); }) {
+      yellow_commands_(bus, channels::commands(Team::yellow),
+                       [this](TeamCommands c) { listen(Team::yellow, std::move(c)); }),
+      blue_commands_(bus, channels::commands(Team::blue),
+                     [this](TeamCommands c) { listen(Team::blue, std::move(c)); }) {
+  expose<SimParams>(simulator_.params(), [](const SimParams&) {
+    throw RequestRefused("the simulator's parameters are fixed when it starts: restart it with --set");
+  });
   answer("sim.teleport", [this](const Request& request) { return teleport(request); });
+}
+
+void SimModule::listen(Team team, TeamCommands commands) {
+  // What is said on a team's channel drives that team alone.
+  if (commands.team == team) commands_.emplace_back(bus().now(), std::move(commands));
 }
 
 void SimModule::on_tick(Time now) {

@@ -23,7 +23,7 @@ class SimModule : public Module {
   void on_tick(Time now) override;
 
  private:
-  void listen(TeamCommands commands) { commands_.emplace_back(bus().now(), std::move(commands)); }
+  void listen(Team team, TeamCommands commands);
   void announce_geometry(Time now);
   std::string teleport(const Request& request);
 

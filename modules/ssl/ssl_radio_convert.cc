@@ -10,7 +10,6 @@
 namespace regista {
 namespace {
 
-constexpr double kFastestTurn_radps = 1e3;      // as far from any robot as kFastest_mps
 constexpr double kFastestDribbler_radps = 1e5;  // as far from any motor
 constexpr double kRpmPerRadps = 60.0 / (2.0 * std::numbers::pi);
 

@@ -1,4 +1,4 @@
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/task/task_module.h"
 
 int main(int argc, char** argv) {

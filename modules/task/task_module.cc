@@ -26,11 +26,15 @@ std::vector<Target> with_orders(std::vector<Target> targets, const std::map<std:
 
 }  // namespace
 
-TaskModule::TaskModule(Bus& bus, const Scenario& scenario) : Module("task", bus), world_(bus, channels::world_state()) {
+TaskModule::TaskModule(Bus& bus, const Scenario& scenario)
+    : Module("task", bus), scenario_(scenario), world_(bus, channels::world_state()) {
   for (const Team team : {Team::yellow, Team::blue}) {
     teams_.push_back({team, make_task(scenario, team), {}, {}, {}});
     teams_.back().last.team = team;
   }
+  expose<Scenario>(scenario_, [](const Scenario&) {
+    throw RequestRefused("the scenario is fixed when the task starts: restart it with --set");
+  });
   answer("task.goto", [this](const Request& request) { return go_to(request); });
   answer("task.release", [this](const Request& request) { return release(request); });
 }
@@ -64,10 +68,18 @@ std::string TaskModule::go_to(const Request& request) {
   Target order;
   order.robot = robot.number;
   order.pose = parse_pose(request.value);
+  if (world_.newest() == nullptr || find_robot(*world_.newest(), robot) == nullptr) {
+    throw RequestRefused("no " + request.key + " on the field");
+  }
+  const Vec2 most = half_extent(field_of(scenario_), RobotLimits{}.radius_m);
+  if ((order.pose.position_m.cwiseAbs() - most).maxCoeff() > 0.0) {
+    throw RequestRefused(request.value + " is off the field: |x| up to " + std::to_string(most.x()) + " m, |y| up to " +
+                         std::to_string(most.y()) + " m");
+  }
   for (TeamTask& team : teams_) {
     if (team.team == robot.team) team.orders[robot.number] = order;
   }
-  return request.key + " goes to " + request.value + " until told otherwise or task.release";
+  return request.key + " goes to " + request.value + " until told otherwise or released";
 }
 
 std::string TaskModule::release(const Request& request) {

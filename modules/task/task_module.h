@@ -34,6 +34,7 @@ class TaskModule : public Module {
   std::string go_to(const Request& request);
   std::string release(const Request& request);
 
+  Scenario scenario_;
   Mailbox<WorldState> world_;
   std::vector<TeamTask> teams_;
 };

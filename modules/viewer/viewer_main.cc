@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 #include "modules/viewer/offscreen.h"
 #include "modules/viewer/rawlog_recorder.h"
 #include "modules/viewer/snapshot.h"

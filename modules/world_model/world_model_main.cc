@@ -1,4 +1,5 @@
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
+#include "modules/setup/module_setup.h"
 #include "modules/world_model/world_model_module.h"
 
 int main(int argc, char** argv) {
@@ -7,9 +8,8 @@ int main(int argc, char** argv) {
                       .help = "Estimates where everything is: VISION and COMMANDS in, WORLD_STATE out.",
                       .make =
                           [](const ModuleContext& context) {
-                            WorldModelParams params;
-                            context.config.apply("world_model", params);
-                            return std::make_unique<WorldModelModule>(context.bus, params, context.stopwatch);
+                            return std::make_unique<WorldModelModule>(
+                                context.bus, world_model_params_of(context.config), context.stopwatch);
                           }},
                      argc, argv);
 }

@@ -21,7 +21,15 @@ WorldModelModule::WorldModelModule(Bus& bus, const WorldModelParams& params, Sto
   });
 }
 
-std::string WorldModelModule::note() const { return seen_ ? "" : "waiting for VISION"; }
+std::string WorldModelModule::note() const {
+  if (!seen_) return "waiting for VISION";
+  // One frame in a hundred is a hiccup; more is a camera whose clock or load is wrong, and somebody must know.
+  constexpr std::int64_t kBearable = 100;
+  const FrameCounts& frames = model_.frame_counts();
+  if ((frames.late + frames.refused) * kBearable <= frames.taken) return {};
+  return "of " + std::to_string(frames.taken) + " frames taken, " + std::to_string(frames.late) +
+         " came too late and " + std::to_string(frames.refused) + " had impossible times";
+}
 
 void WorldModelModule::take_commands(Queue<TeamCommands>& queue) {
   while (const auto commands = queue.pop()) {

@@ -20,15 +20,19 @@ bool blocks(std::span<const ObstacleIndex> obstacles, std::span<const std::size_
 
 }  // namespace
 
-bool VisibilitySearch::find(SharedGraph& graph, const Query& query, std::vector<Vec2>& path) {
+VisibilitySearch::End VisibilitySearch::find(SharedGraph& graph, const Query& query, std::vector<Vec2>& path) {
   clear(graph, query);
   expand(kStart);
   int edges_until_check = kEdgesPerTimeCheck;
   Local nearest = kStart;
   Edge edge{};
+  End end = End::no_samples;
   while (next_edge(edge) || (mark_rest(graph) && next_edge(edge))) {
     if (--edges_until_check == 0) {
-      if (query.budget.is_spent()) break;
+      if (query.budget.is_spent()) {
+        end = End::no_time;
+        break;
+      }
       edges_until_check = kEdgesPerTimeCheck;
     }
     if (is_covered(graph, edge.to) || !is_open(graph, edge)) continue;
@@ -37,13 +41,13 @@ bool VisibilitySearch::find(SharedGraph& graph, const Query& query, std::vector<
     node.parent = edge.from;
     if (edge.to == kGoal) {
       trace(kGoal, path);
-      return true;
+      return End::goal;
     }
     if (node.heuristic < nodes_[nearest].heuristic) nearest = edge.to;
     expand(edge.to);
   }
   trace(nearest, path);
-  return false;
+  return end;
 }
 
 void VisibilitySearch::clear(const SharedGraph& graph, const Query& query) {

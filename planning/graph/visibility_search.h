@@ -16,9 +16,12 @@ namespace regista::graph {
 /// The answer depends on field and query alone. Only scratch memory is kept between two searches.
 class VisibilitySearch {
  public:
-  /// True with the path from start to goal. False: the samples or the time gave out; the path then leads to the node
-  /// nearest to the goal among those reached, and may be the start alone.
-  bool find(SharedGraph& graph, const Query& query, std::vector<Vec2>& path);
+  enum class End { goal, no_samples, no_time };
+
+  /// Why the search ended. goal: `path` leads from the start to it. Else the samples or the time gave out, and the path
+  /// leads to the node nearest to the goal among those reached, and may be the start alone. The time is asked for once
+  /// in 64 edges.
+  End find(SharedGraph& graph, const Query& query, std::vector<Vec2>& path);
 
   /// Obstacles the last search sampled, in the order in which it marked them.
   std::span<const ObstacleIndex> marked() const { return marked_; }

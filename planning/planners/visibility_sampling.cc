@@ -7,10 +7,14 @@ void VisibilitySampling::search(graph::SharedGraph& graph, const Query& query, S
     result.path.push_back(query.start);
     result.path.push_back(query.goal);
     result.status = PlanStatus::ok;
-  } else if (search_.find(graph, query, result.path)) {
+    return;
+  }
+  using End = graph::VisibilitySearch::End;
+  const End end = search_.find(graph, query, result.path);
+  if (end == End::goal) {
     result.status = PlanStatus::ok;
   } else {
-    result.reason = query.budget.is_spent() ? "the time was spent" : "no way over the samples";
+    result.reason = end == End::no_time ? "the time was spent" : "no way over the samples";
   }
 }
 

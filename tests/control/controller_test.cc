@@ -158,6 +158,20 @@ TEST_CASE("without plan, with an invalid or an empty one: stopped within v²/2b,
   CHECK(std::abs(cross(start.twist.velocity_mps.normalized(), way)) <= 1e-9);
 }
 
+TEST_CASE("a robot that vision has lost brakes before it is taken from the world") {
+  const ControlParams params;
+  Controller controller(Team::yellow, params);
+  WorldState world;
+  world.robots.push_back(robot_at(0, {0.0, 0.0}, 0.0, Twist{{2.0, 0.0}, 0.0}));
+  const std::vector<RobotPlan> plans{plan_along(0, {{0.0, 0.0}, {5.0, 0.0}}, 0.0)};
+  world.robots[0].age = from_seconds(params.unseen_deadline_s);
+  const double driving = controller.update(world, plans, kDt_s).commands[0].velocity.forward_mps;
+  CHECK(driving >= 2.0);
+  world.robots[0].age = from_seconds(params.unseen_deadline_s) + Duration{1};
+  const double braking = controller.update(world, plans, kDt_s).commands[0].velocity.forward_mps;
+  CHECK(braking == Approx(driving - params.limits.braking_max_mps2 * kDt_s));
+}
+
 TEST_CASE("mirrored world and plans give mirrored commands") {
   Dice dice(41);
   const auto mirrored = [](const Vec2& v) { return Vec2(v.x(), -v.y()); };

@@ -8,6 +8,7 @@
 #include "modules/lockstep/replay.h"
 #include "modules/lockstep/scenario_run.h"
 #include "modules/lockstep/whole_loop.h"
+#include "tests/modules/samples.h"
 #include "tests/support/temporary_folder.h"
 
 using namespace regista;
@@ -22,10 +23,7 @@ std::int64_t no_time() { return 0; }
 Config crossing(const std::vector<std::string>& settings) { return Config::load(kCrossing, settings); }
 
 /// A few robots: they rarely meet, so that what is seen is the modules' doing and no collision's.
-Config few_robots() {
-  return crossing({"scenario.robots_per_team=2", "scenario.sim_preset=none", "world_model.latency_s=0",
-                   "world_model.velocity_lag_s=0", "controller.drive_lag_s=0", "scenario.seed=3"});
-}
+Config few_robots() { return crossing({"scenario.robots_per_team=2", "scenario.sim_preset=none", "scenario.seed=3"}); }
 
 std::string bytes_of(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -82,6 +80,14 @@ TEST_CASE("same seed, same log, byte for byte; another seed, another log") {
   CHECK(first.size() > 100'000);
   CHECK(first == run("second.lcmlog", "scenario.seed=5"));
   CHECK(first != run("third.lcmlog", "scenario.seed=6"));
+}
+
+TEST_CASE("a configuration that is refused costs no older log") {
+  const TemporaryFolder folder;
+  const std::string log = folder.path("run.lcmlog");
+  std::ofstream(log) << "precious";
+  CHECK_THROWS_AS(run_scenario(crossing({"planner.use=rr"}), {.log_file = log}, no_time), ConfigError);
+  CHECK(bytes_of(log) == "precious");
 }
 
 TEST_CASE("the main job reaches its targets within the rules of the field") {
@@ -205,6 +211,77 @@ TEST_CASE("whatever dies, its robots stop and the others drive on; when it retur
   CHECK(fastest_during_mps(loop, modules, Team::blue, 3.0) > 1.0);
 }
 
+TEST_CASE("a planner that lags behind vision is no planner") {
+  const Config config = few_robots();
+  LockStep loop{Time{}};
+  const WholeLoop modules = add_whole_loop(loop, config, no_time);
+  run_for(loop, 3.0);
+  // From now on old plans come again and again, fresh as messages, stale as plans.
+  std::vector<RobotPlan> old;
+  Listener<RobotPlan> listener(loop.bus(), channels::plans(Team::yellow), [&](RobotPlan plan) { old.push_back(plan); });
+  run_for(loop, kPeriod_s);
+  REQUIRE(old.size() == 2);
+  loop.remove(*modules.planners.at(Team::yellow));
+  const std::vector<RobotPlan> repeated = old;
+  for (double t = 0.0; t < kStopsWithin_s; t += kPeriod_s) {
+    for (const RobotPlan& plan : repeated) loop.bus().publish(channels::plan(plan.robot), plan);
+    run_for(loop, kPeriod_s);
+  }
+  CHECK(fastest_mps(modules, Team::yellow) < 1e-3);
+}
+
+TEST_CASE("one robot's plan coming twice makes no set complete") {
+  Time now{};
+  Bus bus("memq://", [&] { return now; });
+  ControllerModule controller(bus, Team::yellow, {}, no_time);
+  WorldState world;
+  world.sequence = 7;
+  world.robots.resize(2);
+  world.robots[1].id.number = 1;
+  bus.publish(channels::world_state(), world);
+  RobotPlan plan;
+  plan.world_sequence = 7;
+  plan.set_size = 2;
+  plan.plan = {PlanStatus::ok, false, false, {Vec2::Zero(), Vec2(1.0, 0.0)}, 1.0, ""};
+  const auto drain = [&] {
+    while (bus.handle(Duration::zero())) {
+    }
+  };
+  bus.publish(channels::plan(plan.robot), plan);
+  bus.publish(channels::plan(plan.robot), plan);
+  drain();
+  CHECK_FALSE(controller.ready());
+  plan.robot.number = 1;
+  plan.target.robot = 1;
+  bus.publish(channels::plan(plan.robot), plan);
+  drain();
+  CHECK(controller.ready());
+}
+
+TEST_CASE("whatever decodes, however damaged, stops no module") {
+  const Config config = few_robots();
+  LockStep loop{Time{}};
+  const WholeLoop modules = add_whole_loop(loop, config, no_time);
+  std::vector<std::pair<std::string, std::vector<std::uint8_t>>> seen;
+  const auto tap = loop.bus().subscribe_raw(".*", [&](const std::string& channel, std::span<const std::uint8_t> bytes) {
+    if (seen.size() < 2000) seen.emplace_back(channel, std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+  });
+  run_for(loop, 1.0);
+  samples::Source source(11);
+  for (int i = 0; i < 4000; ++i) {
+    auto [channel, bytes] = seen[source.below(seen.size())];
+    for (std::uint64_t hits = 1 + source.below(3); hits > 0; --hits) {
+      bytes[8 + source.below(bytes.size() - 8)] = static_cast<std::uint8_t>(source.below(256));
+    }
+    INFO("damage " << i << " on " << channel);
+    REQUIRE_NOTHROW(loop.inject(channel, bytes));
+    if (i % 20 == 0) REQUIRE_NOTHROW(run_for(loop, kPeriod_s));
+  }
+  CHECK(loop.bus().reception().refused > 100);
+  REQUIRE_NOTHROW(run_for(loop, 5.0));
+  CHECK(fastest_during_mps(loop, modules, Team::yellow, 3.0) > 1.0);
+}
+
 TEST_CASE("robots are sent by request and come back to the task") {
   LockStep loop{Time{}};
   const WholeLoop modules = add_whole_loop(loop, few_robots(), no_time);
@@ -216,6 +293,14 @@ TEST_CASE("robots are sent by request and come back to the task") {
   REQUIRE(robot != nullptr);
   CHECK((robot->pose.position_m - Vec2(1.5, -2.0)).norm() < 0.02);
   CHECK(std::abs(wrap_angle(robot->pose.heading_rad - 0.5)) < 0.05);
+  Mailbox<Reply> replies(loop.bus(), channels::reply());
+  for (const auto& [key, value] : {std::pair{"Y99", "0 0"}, {"Y1", "1000 0"}, {"Y1", "here"}}) {
+    loop.bus().publish(channels::request(), {loop.now(), 10 + static_cast<std::int64_t>(value[0]) + key[1], "task",
+                                             "task.goto", key, value});
+    run_for(loop, kPeriod_s);
+    INFO(key << " to " << value << ": " << replies.newest()->text);
+    CHECK_FALSE(replies.take()->accepted);
+  }
   loop.bus().publish(channels::request(), {loop.now(), 2, "task", "task.release", "Y1", ""});
   CHECK(fastest_during_mps(loop, modules, Team::yellow, 2.0) > 1.0);
 }

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "planning/obstacle_field.h"
 #include "planning/uniform.h"
 #include "tests/support/planning_oracles.h"
 #include "tests/support/planning_worlds.h"
@@ -47,6 +48,21 @@ TEST_CASE("touching is free, a nanometre more is not") {
   const Obstacle robot = disc({0, 0.2}, 0.2);
   CHECK(is_free({-1, 0}, {1, 0}, robot));
   CHECK_FALSE(is_free({-1, 3e-9}, {1, 3e-9}, robot));
+}
+
+TEST_CASE("without radius a rectangle blocks its interior, disc and capsule block nothing") {
+  for (const Obstacle& thin : {disc({0, 0}, 0), capsule({0, -1}, {0, 1}, 0), rounded_rectangle({0, -1}, {0, 1}, 0)}) {
+    CHECK(is_free({0, 0}, thin));
+    CHECK(is_free({-1, 0}, {1, 0}, thin));
+    CHECK(is_free({0, -2}, {0, 2}, thin));
+    CHECK(ObstacleField({{3, 3}}, {thin}).is_free({-1, 0}, {1, 0}));
+  }
+  const Obstacle box = rounded_rectangle({-1, -1}, {1, 1}, 0);
+  CHECK_FALSE(is_free({0, 0}, box));
+  CHECK_FALSE(is_free({-2, 0.999}, {2, 0.999}, box));
+  CHECK_FALSE(ObstacleField({{3, 3}}, {box}).is_free({-2, 0.999}, {2, 0.999}));
+  CHECK(is_free({-2, 1}, {2, 1}, box));
+  CHECK(is_free({1, 0}, box));
 }
 
 TEST_CASE("clearance of a point agrees with the nearest boundary point") {

@@ -47,7 +47,7 @@ TEST_CASE("each team has its own area, on the side it defends") {
       const bool own_right = (team == Team::yellow) == yellow_right;
       const TeamObstacles obstacles = obstacles_for(team, field, two_robots(), {});
       CHECK(covers(obstacles, obstacles.own_area, own_right ? right : left));
-      CHECK(covers(obstacles, obstacles.opponent_area, own_right ? left : right));
+      CHECK_FALSE(obstacles.field.is_free(own_right ? left : right));
       CHECK_FALSE(covers(obstacles, obstacles.own_area, own_right ? left : right));
     }
   }
@@ -85,6 +85,12 @@ TEST_CASE("a world or field that makes no sense is refused") {
   WorldState world = two_robots();
   world.robots[0].pose.position_m.x() = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(obstacles_for(Team::yellow, division_a(), world, {}), std::invalid_argument);
+  for (const Twist& twist : {Twist{{0.0, std::numeric_limits<double>::infinity()}, 0.0},
+                             Twist{{0.0, 0.0}, std::numeric_limits<double>::quiet_NaN()}}) {
+    world = two_robots();
+    world.robots[1].twist = twist;
+    CHECK_THROWS_WITH(obstacles_for(Team::yellow, division_a(), world, {}), Catch::Contains("B5"));
+  }
   FieldGeometry tiny = division_a();
   tiny.length_m = 0.01;
   tiny.margin_goal_line_m = 0.0;

@@ -2,6 +2,7 @@
 // a line here.
 #include <catch2/catch.hpp>
 
+#include "planning/graph/visibility_search.h"
 #include "tests/support/planning_conformance.h"
 
 namespace regista {
@@ -29,10 +30,34 @@ class Inexact : public Planner {
   }
 };
 
+/// Searches until it has found, whatever the budget says.
+class IgnoresBudget : public Planner {
+ protected:
+  void search(graph::SharedGraph& graph, const Query& query, SearchResult& result) override {
+    Query patient = query;
+    patient.budget = {};
+    const bool found = search_.find(graph, patient, result.path) == graph::VisibilitySearch::End::goal;
+    result.status = found ? PlanStatus::ok : PlanStatus::not_found;
+    if (!found) result.reason = "no way";
+  }
+
+ private:
+  graph::VisibilitySearch search_;
+};
+
+/// The same, and it asks for the time, but searches on.
+class IgnoresTheAnswer : public IgnoresBudget {
+ protected:
+  void search(graph::SharedGraph& graph, const Query& query, SearchResult& result) override {
+    (void)query.budget.is_spent();
+    IgnoresBudget::search(graph, query, result);
+  }
+};
+
 /// Wraps a good planner and spoils its answers.
 class Spoiled : public Planner {
  public:
-  enum class How { forgets_the_reason, gives_up_early, remembers, prefers_left };
+  enum class How { forgets_the_reason, gives_up_early, remembers, prefers_left, marks_left };
   explicit Spoiled(How how) : how_(how) {}
 
  protected:
@@ -41,6 +66,7 @@ class Spoiled : public Planner {
     request.start = query.start;
     request.goal = query.goal;
     request.ignored.assign(query.ignored.begin(), query.ignored.end());
+    request.budget = query.budget;
     const Plan plan = good_->plan(graph, request);
     result = {plan.status, plan.path, plan.reason};
     ++calls_;
@@ -60,6 +86,11 @@ class Spoiled : public Planner {
       case How::prefers_left:
         if (plan.status == PlanStatus::ok && plan.path.size() > 2 && plan.path[1].y() < plan.path[0].y()) {
           result.path.insert(result.path.begin() + 1, {result.path[1], result.path[0]});
+        }
+        return;
+      case How::marks_left:  // as long, but with a vertex more
+        if (plan.status == PlanStatus::ok && plan.path.size() > 2 && plan.path[1].y() < plan.path[0].y()) {
+          result.path.insert(result.path.begin() + 1, 0.5 * (plan.path[0] + plan.path[1]));
         }
         return;
     }
@@ -100,6 +131,9 @@ TEST_CASE("planners that break the laws are caught") {
   CHECK(is_caught(Spoiled::How::gives_up_early));
   CHECK(is_caught(Spoiled::How::remembers));
   CHECK(is_caught(Spoiled::How::prefers_left));
+  CHECK(is_caught(Spoiled::How::marks_left));
+  CHECK(is_caught<IgnoresBudget>());
+  CHECK(is_caught<IgnoresTheAnswer>());
 }
 
 TEST_CASE("what a planner calls ok is checked before it is passed on") {

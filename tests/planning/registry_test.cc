@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "world_model/params.h"
+
 namespace regista {
 
 TEST_CASE("the registry's names are unique and its lines are filled") {
@@ -29,6 +31,13 @@ TEST_CASE("an unknown planner is answered in one line with the nearest name and 
     CHECK(what.find('\n') == std::string::npos);
   }
   CHECK_THROWS_AS(planner_entry(""), UnknownPlanner);
+}
+
+TEST_CASE("the nearest name needs the fewest letters changed, the first of equals is it") {
+  CHECK(nearest_name("rtt", {"visibility_sampling", "rrt", "prm"}) == "rrt");
+  CHECK(nearest_name("kitten", {"sitting", "bitten", "mitten"}) == "bitten");
+  CHECK(nearest_name("", {"abc", "ab"}) == "ab");
+  CHECK(nearest_name("rrt", {}).empty());
 }
 
 }  // namespace regista

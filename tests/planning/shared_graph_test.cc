@@ -62,7 +62,10 @@ TEST_CASE("an answer does not depend on who asked before") {
       alone.reserve(requests.size());
       for (const PlanRequest& request : requests) alone.push_back(entry.make()->plan(field, request));
       CAPTURE(entry.name, world);
-      REQUIRE(plan_team(*planner, field, requests) == alone);
+      for (std::size_t i = 0; i < requests.size(); ++i) {
+        const Plan plan = planner->plan(shared, requests[i]);
+        REQUIRE(plan == alone[i]);
+      }
       for (std::size_t i = requests.size(); i-- > 0;) {
         const Plan plan = planner->plan(shared, requests[i]);
         REQUIRE(plan == alone[i]);

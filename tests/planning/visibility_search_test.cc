@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <functional>
 
 #include "planning/graph/samples.h"
 #include "planning/planner.h"
@@ -37,7 +38,7 @@ TEST_CASE("the path is the shortest over the samples of the marked obstacles") {
     if (!field.is_free(request.start, request.ignored) || !field.is_free(request.goal, request.ignored)) continue;
     graph.reset(field);
     std::vector<Vec2> path;
-    const bool found = search.find(graph, query_of(request), path);
+    const bool found = search.find(graph, query_of(request), path) == VisibilitySearch::End::goal;
     const std::vector<Vec2> nodes = marked_graph(field, request, search.marked());
     const std::optional<double> expected = testing::shortest_length(field, nodes, request.ignored);
     CAPTURE(world);
@@ -56,9 +57,9 @@ TEST_CASE("only obstacles in the way are marked") {
   SharedGraph graph(field);
   VisibilitySearch search;
   std::vector<Vec2> path;
-  REQUIRE(search.find(graph, {{-3, 0}, {3, 0}, {}, 1, {}, {}}, path));
+  REQUIRE(search.find(graph, {{-3, 0}, {3, 0}, {}, 1, {}, {}}, path) == VisibilitySearch::End::goal);
   CHECK(std::vector<ObstacleIndex>(search.marked().begin(), search.marked().end()) == std::vector<ObstacleIndex>{0});
-  REQUIRE(search.find(graph, {{-3, 1}, {3, 1}, {}, 1, {}, {}}, path));
+  REQUIRE(search.find(graph, {{-3, 1}, {3, 1}, {}, 1, {}, {}}, path) == VisibilitySearch::End::goal);
   CHECK(search.marked().empty());
   CHECK(path.size() == 2);
 }
@@ -69,7 +70,7 @@ TEST_CASE("a covered sample marks what covers it") {
   SharedGraph graph(field);
   VisibilitySearch search;
   std::vector<Vec2> path;
-  REQUIRE(search.find(graph, {{-3, 0.05}, {3, 0.05}, {}, 1, {}, {}}, path));
+  REQUIRE(search.find(graph, {{-3, 0.05}, {3, 0.05}, {}, 1, {}, {}}, path) == VisibilitySearch::End::goal);
   CHECK(std::vector<ObstacleIndex>(search.marked().begin(), search.marked().end()) == std::vector<ObstacleIndex>{0, 1});
 }
 
@@ -87,6 +88,30 @@ TEST_CASE("the order of obstacles changes no length") {
     REQUIRE(plan.status == other.status);
     if (plan.status == PlanStatus::ok) REQUIRE(plan.length_m == Approx(other.length_m).epsilon(1e-12));
   }
+}
+
+TEST_CASE("the reason is why the search ended, even when the time is up by the moment of the answer") {
+  const ObstacleField field(testing::test_bounds(), testing::ring_around({3, 0}, 1.0));
+  int questions = 0;
+  int last_in_time = 1000;
+  const std::function<bool()> out_of_time = [&] { return ++questions > last_in_time; };
+  PlanRequest request;
+  request.start = {-3, 0};
+  request.goal = {3, 0};
+  request.budget.out_of_time = &out_of_time;
+  Query query = query_of(request);
+  query.budget = request.budget;
+  VisibilitySearch search;
+  SharedGraph graph(field);
+  std::vector<Vec2> path;
+  REQUIRE(search.find(graph, query, path) == VisibilitySearch::End::no_samples);
+  REQUIRE(questions > 0);
+  last_in_time = questions;
+  questions = 0;
+  CHECK(VisibilitySampling().plan(field, request).reason == "no way over the samples");
+  last_in_time -= 1;
+  questions = 0;
+  CHECK(VisibilitySampling().plan(field, request).reason == "the time was spent");
 }
 
 }  // namespace regista::graph

@@ -7,23 +7,15 @@
 
 #include "logs/log_writer.h"
 #include "planning/registry.h"
-#include "tests/regista/program.h"
+#include "tests/support/program.h"
 
 namespace regista {
 namespace {
 
-struct Result {
-  int status = -1;
-  std::string out;
-  std::string error;
-};
-
-Result regista(std::vector<std::string> arguments, const std::string& input = "",
-               const std::vector<std::string>& variables = {}) {
+RunResult regista(std::vector<std::string> arguments, const std::vector<std::string>& variables = {},
+                  const std::string& input = "") {
   arguments.insert(arguments.begin(), executable("regista"));
-  Program program(arguments, input, variables);
-  const int status = program.wait().value_or(-1);
-  return {status, program.out(), program.error()};
+  return run(arguments, variables, input);
 }
 
 bool is_one_line(const std::string& text) {
@@ -51,7 +43,7 @@ TEST_CASE("wrong usage is answered in one line and status 2") {
                                                     {"log", "compare", "a"},
                                                     {"up", "--for", "-1"}};
   for (const auto& arguments : wrong) {
-    const Result result = regista(arguments);
+    const RunResult result = regista(arguments);
     INFO(Catch::StringMaker<std::vector<std::string>>::convert(arguments) << result.error);
     CHECK(result.status == 2);
     CHECK(is_one_line(result.error));
@@ -66,7 +58,7 @@ TEST_CASE("errors that are no usage are one line and status 1") {
       {"up", "no-such-scenario"},      {"up", "--set", "nonsense"},          {"record", folder.path("exists")},
       {"replay", folder.path("none")}, {"log", "info", folder.path("none")}, {"log", "info", folder.path("")}};
   for (const auto& arguments : wrong) {
-    const Result result = regista(arguments);
+    const RunResult result = regista(arguments);
     INFO(result.error);
     CHECK(result.status == 1);
     CHECK(is_one_line(result.error));
@@ -75,14 +67,14 @@ TEST_CASE("errors that are no usage are one line and status 1") {
 
 TEST_CASE("help is help") {
   for (const char* subcommand : {"up", "run", "planner", "param", "goto", "record", "replay", "spy", "log", "plan"}) {
-    const Result result = regista({subcommand, "--help"});
+    const RunResult result = regista({subcommand, "--help"});
     CHECK(result.status == 0);
     CHECK(result.out.size() > 50);
   }
 }
 
 TEST_CASE("planner list names every planner and what it promises") {
-  const Result result = regista({"planner", "list"});
+  const RunResult result = regista({"planner", "list"});
   CHECK(result.status == 0);
   for (const PlannerEntry& entry : planners()) {
     CHECK_THAT(result.out, Catch::Contains(std::string(entry.name)) && Catch::Contains(std::string(entry.source)));
@@ -90,14 +82,14 @@ TEST_CASE("planner list names every planner and what it promises") {
 }
 
 TEST_CASE("an unknown planner for plan is answered with the list") {
-  const Result result = regista({"plan", "--planner", "nonsense"});
+  const RunResult result = regista({"plan", "--planner", "nonsense"});
   for (const PlannerEntry& entry : planners()) CHECK_THAT(result.error, Catch::Contains(std::string(entry.name)));
 }
 
 TEST_CASE("plan answers line by line and goes on after nonsense") {
   const std::string good =
       R"({"id":1,"field":{"length":12,"width":9},"start":[-1,0],"goal":[1,0],"radius":0.09,"obstacles":[]})";
-  const Result result = regista({"plan", "--repeat", "2"}, good + "\r\n\n  \nnonsense\n" + good);
+  const RunResult result = regista({"plan", "--repeat", "2"}, {}, good + "\r\n\n  \nnonsense\n" + good);
   CHECK(result.status == 0);
   std::istringstream lines(result.out);
   std::vector<std::string> statuses;
@@ -108,9 +100,9 @@ TEST_CASE("plan answers line by line and goes on after nonsense") {
 }
 
 TEST_CASE("plan says so when its answers cannot be written") {
-  Program program({"/bin/sh", "-c", "echo nonsense | " + executable("regista") + " plan > /dev/full"});
-  CHECK(program.wait() == 1);
-  CHECK_THAT(program.error(), Catch::Contains("cannot write"));
+  const RunResult result = run({"/bin/sh", "-c", "echo nonsense | " + executable("regista") + " plan > /dev/full"});
+  CHECK(result.status == 1);
+  CHECK_THAT(result.error, Catch::Contains("cannot write"));
 }
 
 TEST_CASE("missing programs of other packages are named with their package") {
@@ -118,11 +110,11 @@ TEST_CASE("missing programs of other packages are named with their package") {
   LogWriter(folder.path("log")).close();
   const std::vector<std::string> no_path{"PATH=" + folder.path("")};
   const std::string bus = private_bus();
-  CHECK_THAT(regista({"record", folder.path("new"), "--lcm-url", bus}, "", no_path).error,
+  CHECK_THAT(regista({"record", folder.path("new"), "--lcm-url", bus}, no_path).error,
              Catch::Contains("apt-get install liblcm-bin"));
-  CHECK_THAT(regista({"replay", folder.path("log"), "--lcm-url", bus}, "", no_path).error,
+  CHECK_THAT(regista({"replay", folder.path("log"), "--lcm-url", bus}, no_path).error,
              Catch::Contains("apt-get install liblcm-bin"));
-  CHECK_THAT(regista({"spy"}, "", no_path).error, Catch::Contains("apt-get install default-jre"));
+  CHECK_THAT(regista({"spy"}, no_path).error, Catch::Contains("apt-get install default-jre"));
 }
 
 TEST_CASE("a module that does not run is named with the command that starts it") {
@@ -134,7 +126,7 @@ TEST_CASE("a module that does not run is named with the command that starts it")
         {{"goto", "Y3", "-1.5", "-0.5", "90"}, "regista-task"}}) {
     auto all = arguments;
     all.insert(all.end(), {"--lcm-url", bus});
-    const Result result = regista(all);
+    const RunResult result = regista(all);
     INFO(result.error);
     CHECK(result.status == 1);
     CHECK(is_one_line(result.error));
@@ -152,11 +144,11 @@ TEST_CASE("log info and compare print what is there") {
     writer.write(Time{}, "OTHER", bytes);
     writer.close();
   }
-  const Result info = regista({"log", "info", folder.path("a")});
+  const RunResult info = regista({"log", "info", folder.path("a")});
   CHECK(info.status == 0);
   CHECK_THAT(info.out, Catch::Contains("SAME") && Catch::Contains("2 messages"));
   CHECK(regista({"log", "compare", folder.path("a"), folder.path("b")}).status == 1);
-  const Result same = regista({"log", "compare", folder.path("a"), folder.path("b"), "--channels", "SAME"});
+  const RunResult same = regista({"log", "compare", folder.path("a"), folder.path("b"), "--channels", "SAME"});
   CHECK(same.status == 0);
   CHECK_THAT(same.out, Catch::Contains("the logs match"));
 }

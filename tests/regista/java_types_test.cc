@@ -1,6 +1,4 @@
 // The Java side of the messages: the types jar decodes what C++ encodes, and lcm-spy finds all of them.
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -10,7 +8,8 @@
 #include "modules/convert/planning.h"
 #include "modules/convert/service.h"
 #include "modules/convert/world.h"
-#include "tests/regista/program.h"
+#include "tests/support/program.h"
+#include "tests/support/virtual_display.h"
 
 namespace regista {
 namespace {
@@ -57,13 +56,14 @@ TEST_CASE("Java decodes what C++ encodes") {
   REQUIRE(std::filesystem::exists(kTypesJar));
   const TemporaryFolder folder;
   write_samples(folder);
-  Program compile({"javac", "-cp", kClassPath, "-d", folder.path(""),
-                   std::string(REGISTA_SOURCE_DIR) + "/tests/regista/java/DecodeTypes.java"});
-  INFO(compile.error());
-  REQUIRE(compile.wait() == 0);
-  Program decode({"java", "-cp", kClassPath + ":" + folder.path(""), "DecodeTypes", folder.path("")});
-  REQUIRE(decode.wait() == 0);
-  CHECK(decode.out() ==
+  const RunResult compiled = run({"javac", "-cp", kClassPath, "-d", folder.path(""),
+                                  std::string(REGISTA_SOURCE_DIR) + "/tests/regista/java/DecodeTypes.java"});
+  INFO(compiled.error);
+  REQUIRE(compiled.status == 0);
+  const RunResult decoded = run({"java", "-cp", kClassPath + ":" + folder.path(""), "DecodeTypes", folder.path("")});
+  INFO(decoded.error);
+  REQUIRE(decoded.status == 0);
+  CHECK(decoded.out ==
         "world 123456789012345 2 -1.25 11 6.5\nplan rrt 2 0.75 true\ncommands 1 -40.5\nrequest 77 planner.use\n");
 }
 
@@ -75,19 +75,9 @@ std::size_t types_in_source() {
   return count;
 }
 
-/// An X server without a screen of its own.
-struct VirtualDisplay {
-  std::string number = ":" + std::to_string(1000 + getpid() % 20000);
-  Program server{{"Xvfb", number, "-screen", "0", "800x600x24", "-nolisten", "tcp"}};
-  bool is_up() const {
-    return eventually([this] { return std::filesystem::exists("/tmp/.X11-unix/X" + number.substr(1)); });
-  }
-};
-
 TEST_CASE("regista spy starts lcm-spy, which finds all our types") {
   const VirtualDisplay display;
-  REQUIRE(display.is_up());
-  Program spy({executable("regista"), "spy", "--lcm-url", private_bus()}, "", {"DISPLAY=" + display.number});
+  Program spy({executable("regista"), "spy", "--lcm-url", private_bus()}, {"DISPLAY=" + display.name()});
   const std::string found = "Found " + std::to_string(types_in_source()) + " LCM types";
   CHECK(eventually([&] { return (spy.out() + spy.error()).find(found) != std::string::npos; }));
   INFO(spy.out() << spy.error());

@@ -11,7 +11,7 @@
 
 #include "modules/process/real_clock.h"
 #include "modules/regista/command.h"
-#include "tests/regista/program.h"
+#include "tests/support/program.h"
 
 namespace regista {
 namespace {

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 
-#include "tests/regista/program.h"
+#include "tests/support/program.h"
 
 namespace regista {
 namespace {

@@ -9,7 +9,7 @@
 #include "modules/bus/mailbox.h"
 #include "modules/convert/service.h"
 #include "modules/process/real_clock.h"
-#include "tests/regista/program.h"
+#include "tests/support/program.h"
 
 namespace regista {
 namespace {

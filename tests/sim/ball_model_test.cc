@@ -21,7 +21,6 @@ TEST_CASE("the ball runs as far as the formula says, whatever the step") {
   for (const double speed : {0.1, 1.0, 3.0, 6.5}) {
     // Slides from v to 0.69 v at 3.9 m/s², then rolls at 0.35 m/s².
     const double expected = speed * speed * ((1.0 - 0.69 * 0.69) / 7.8 + 0.69 * 0.69 / 0.7);
-    CHECK(free_run_m(speed, params) == Approx(expected));
     CHECK(run(speed, params, 0.001) == Approx(expected));
     CHECK(run(speed, params, 0.037) == Approx(expected));
   }

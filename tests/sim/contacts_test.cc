@@ -115,6 +115,20 @@ TEST_CASE("contacts are counted by team, fault only between opponents") {
   CHECK(log.contacts()[1].second == b0.id);
 }
 
+TEST_CASE("a long run's log keeps the newest contacts and counts all") {
+  std::vector<std::vector<RobotBody>> moments;
+  for (std::size_t i = 0; i < kContactsKept + 7; ++i) {
+    for (const double distance_m : {0.17, 0.3}) {
+      moments.push_back({body(kYellow, {0, 0}, {0, 0}), body(kBlue, {distance_m, 0}, {0, 0})});
+    }
+  }
+  const ContactLog log = observed(moments);
+  CHECK(log.counts().opponent == static_cast<std::int64_t>(kContactsKept) + 7);
+  REQUIRE(log.contacts().size() == kContactsKept);
+  CHECK(log.contacts().front().at == from_us(1000 * (2 * 7 + 1)));
+  CHECK(log.contacts().back().at == from_us(1000 * (2 * (static_cast<std::int64_t>(kContactsKept) + 6) + 1)));
+}
+
 TEST_CASE("near pairs are those of the comparison of all with all") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     INFO("seed " << seed);

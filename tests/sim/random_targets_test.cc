@@ -1,5 +1,6 @@
 #include "sim/random_targets.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <stdexcept>
 
@@ -121,6 +122,77 @@ TEST_CASE("distances the field cannot give are refused") {
   CHECK_THROWS_WITH(RandomTargets(Team::yellow, division_b(), params, 1), Catch::Contains("5.0"));
   params.distance_min_m = 0.04;
   CHECK_THROWS_AS(RandomTargets(Team::yellow, division_b(), params, 1), std::invalid_argument);
+}
+
+TEST_CASE("a field without far places is refused, however long it is") {
+  FieldGeometry narrow = division_a();
+  narrow.length_m = 4.0;  // between the areas of 1.8 m there is hardly a line left, beside them nothing
+  narrow.width_m = 3.0;
+  RandomTargetsParams params;
+  params.distance_min_m = 1.0;
+  CHECK_THROWS_WITH(RandomTargets(Team::yellow, narrow, params, 1), Catch::Contains("4.0") && Catch::Contains("3.0"));
+  FieldGeometry square = division_a();
+  square.length_m = 8.0;
+  square.width_m = 3.5;
+  params.distance_min_m = 3.0;
+  CHECK_THROWS_AS(RandomTargets(Team::yellow, square, params, 1), std::invalid_argument);
+  params.distance_min_m = 1.0;
+  CHECK_NOTHROW(RandomTargets(Team::yellow, square, params, 1));
+  Scenario scenario;
+  scenario.field = {"custom", 8.0, 3.5, false};
+  scenario.robots_per_team = 2;
+  scenario.target_distance_min_m = 3.0;
+  CHECK_THROWS_WITH(validate(scenario), Catch::Contains("3.0"));
+  scenario.task = "stand";
+  CHECK_NOTHROW(validate(scenario));
+}
+
+// Seconds until robot 0 gets another target while it comes nearer with that speed; 0: not within a minute.
+double patience(double give_up_s, double speed_mps) {
+  RandomTargetsParams params;
+  params.give_up_s = give_up_s;
+  RandomTargets task(Team::yellow, division_a(), params, 3);
+  WorldState world = world_of({{{Team::yellow, 0}, {{0.0, 0.0}, 0.0}}});
+  const Vec2 target = task.update(world).targets[0].pose.position_m;
+  for (int tick = 1; tick <= 6000; ++tick) {
+    world.captured += Duration{10'000};
+    const double distance_m = std::max(2.0 - speed_mps * tick / 100.0, 0.1);
+    world.robots[0].pose.position_m = target + Vec2(0.0, distance_m);
+    const bool changed = task.update(world).targets[0].pose.position_m != target;
+    CHECK(task.reached() == 0);
+    if (changed) return tick / 100.0;
+  }
+  return 0.0;
+}
+
+TEST_CASE("a robot that gets no nearer gives up, and that is no arrival") {
+  CHECK(patience(5.0, 0.0) == Approx(5.01));    // the first tick brings it near
+  CHECK(patience(5.0, 0.005) == Approx(5.01));  // 2.5 cm in that time
+  CHECK(patience(5.0, 0.02) == 0.0);            // 5 cm in half of it
+  CHECK(patience(0.0, 0.0) == 0.0);
+}
+
+TEST_CASE("a robot for which there is no place is not tried again in every frame") {
+  RandomTargetsParams params;
+  params.distance_min_m = 6.0;
+  params.target_gap_m = 10.5;
+  int tried = 0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    INFO("seed " << seed);
+    WorldState world = world_of({{{Team::yellow, 0}, {{0.0, 0.0}, 0.0}}, {{Team::yellow, 1}, {{5.0, 0.0}, 0.0}}});
+    RandomTargets task(Team::yellow, division_a(), params, seed);
+    const Vec2 other = task.update(world).targets[0].pose.position_m;
+    if (other.x() > -5.0 || std::abs(other.y()) > 3.8) continue;  // else there is a place nearer to the centre
+    ++tried;
+    const Vec2 here = world.robots[1].pose.position_m;
+    REQUIRE(task.update(world).targets[1].pose.position_m == here);
+    world.robots[1].pose.position_m = other;  // from here there are places
+    world.captured += Duration{490'000};
+    CHECK(task.update(world).targets[1].pose.position_m == here);
+    world.captured += Duration{10'000};
+    CHECK(task.update(world).targets[1].pose.position_m != here);
+  }
+  CHECK(tried > 2);
 }
 
 TEST_CASE("who shall stand stays where it was first seen") {

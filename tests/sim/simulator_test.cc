@@ -47,7 +47,7 @@ TeamCommands random_commands(Team team, std::uint16_t robots, Random& random) {
 
 struct Run {
   std::vector<VisionFrame> frames;
-  std::vector<Contact> contacts;
+  std::deque<Contact> contacts;
   WorldState truth;
   std::vector<Violation> violations;
   bool operator==(const Run&) const = default;
@@ -60,7 +60,9 @@ Run wild_run(std::uint64_t seed, const std::string& preset) {
   scenario.sim_preset = preset;
   const SimSetup setup = sim_setup(scenario, from_us(1'000'000));
   Simulator simulator(setup);
-  Validation validation(validators_of(scenario, setup.params.limits));
+  // Random commands ask for more than the limits and lead into the areas; the simulator keeps what it can.
+  Validation validation(
+      {inside_field(setup.field, setup.params.limits.radius_m), within_speed_limits(setup.params.limits)});
   Random random(99);
   Run run;
   std::vector<TeamCommands> commands;
@@ -212,7 +214,9 @@ TEST_CASE("a kick sends the ball along the heading, as far as it runs") {
   simulator.advance_to(simulator.now() + Duration{10'000'000});
   const BallState rested = *simulator.truth().ball;
   CHECK(rested.velocity_mps == Vec2(0.0, 0.0));
-  CHECK((rested.position_m - ball).norm() == Approx(free_run_m(2.0, params.ball)));
+  // Slides from v to 0.69 v at 3.9 m/s², then rolls at 0.35 m/s².
+  const double run_m = 2.0 * 2.0 * ((1.0 - 0.69 * 0.69) / 7.8 + 0.69 * 0.69 / 0.7);
+  CHECK((rested.position_m - ball).norm() == Approx(run_m));
   CHECK(cross(ahead, rested.position_m - ball) == Approx(0.0).margin(1e-9));
 }
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <thread>
 
 #include "modules/bus/module.h"
+#include "tests/support/program.h"
 
 namespace regista {
 
@@ -14,16 +14,14 @@ struct TestBus {
 
   /// Lets the module work until the condition holds, as long as the network may reasonably need; true when it holds.
   bool run(Module& module, const std::function<bool()>& condition) {
-    for (int i = 0; i < 5000; ++i) {
+    return eventually([&] {
       while (bus.handle(Duration::zero())) {
       }
       if (module.ready() || (module.due() && now >= *module.due())) module.tick(now);
       while (bus.handle(Duration::zero())) {
       }
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+      return condition();
+    });
   }
 };
 

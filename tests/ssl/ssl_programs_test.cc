@@ -1,6 +1,7 @@
 // The two programs as processes: SSL packets over real multicast and UDP on one side, LCM over real multicast on the
 // other.
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <set>
 
 #include "modules/bus/mailbox.h"
@@ -8,47 +9,41 @@
 #include "modules/convert/service.h"
 #include "modules/convert/vision.h"
 #include "modules/process/real_clock.h"
-#include "tests/ssl/child_process.h"
 #include "tests/ssl/packets.h"
 #include "tests/ssl/plain_udp.h"
 #include "tests/ssl/protoc.h"
+#include "tests/support/program.h"
 
 using namespace regista;
 using namespace std::chrono_literals;
 
 namespace {
 
-std::string private_bus() {
-  return "udpm://239.255.76." + std::to_string(100 + private_port() % 100) + ":" +
-         std::to_string(private_port() + 6001) + "?ttl=0&recv_buf_size=1048576";
-}
-
-/// Repeats the action and takes messages until the condition holds; false after about ten seconds.
-bool run(Bus& bus, const std::function<void()>& action, const std::function<bool()>& condition) {
-  for (int i = 0; i < 500 && !condition(); ++i) {
+/// Repeats the action and takes messages until the condition holds.
+bool eventually(Bus& bus, const std::function<void()>& action, const std::function<bool()>& condition) {
+  return eventually([&] {
     action();
-    bus.handle(20ms);
     while (bus.handle(0ms)) {
     }
-  }
-  return condition();
+    return condition();
+  });
 }
 
 }  // namespace
 
 TEST_CASE("regista-ssl-vision: cameras, geometry and malformed packets, from group to bus") {
-  Bus bus(private_bus(), real_clock());
+  const std::string url = private_bus();
+  Bus bus(url, real_clock());
   Queue<VisionFrame> frames(bus, channels::vision(), 10'000);
   Mailbox<FieldAnnouncement> field(bus, channels::geometry());
   Mailbox<ModuleStatus> status(bus, channels::status("ssl-vision"));
-  ChildProcess program("regista-ssl-vision",
-                       {"--lcm-url", private_bus(), "--set", "ssl_vision.group=" + private_group(), "--set",
-                        "ssl_vision.port=" + std::to_string(private_port()), "--set", "ssl_vision.interface=lo"});
+  Program program({executable("regista-ssl-vision"), "--lcm-url", url, "--set", "ssl_vision.group=" + private_group(),
+                   "--set", "ssl_vision.port=" + std::to_string(private_port()), "--set", "ssl_vision.interface=lo"});
   MulticastSender source(private_group(), private_port());
   const std::string camera_0 = encode_vision(detection_text(0, 1) + geometry_text());
   const std::string camera_1 = encode_vision(detection_text(1, 2));
   std::set<std::uint32_t> cameras;
-  REQUIRE(run(
+  REQUIRE(eventually(
       bus,
       [&] {
         source.send(camera_0);
@@ -63,12 +58,12 @@ TEST_CASE("regista-ssl-vision: cameras, geometry and malformed packets, from gro
   source.send(std::string(1000, '\xff'));
   source.send(encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: nan t_sent: 1 }"));
   source.send(encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: 1 }"));
-  CHECK(run(
+  CHECK(eventually(
       bus, [] {}, [&] { return status.newest() != nullptr && status.newest()->refused == 5; }));
 
   const std::string later = encode_vision(detection_text(4, 77));
   std::optional<VisionFrame> frame;
-  CHECK(run(
+  CHECK(eventually(
       bus, [&] { source.send(later); },
       [&] {
         while (auto next = frames.pop()) {
@@ -76,20 +71,21 @@ TEST_CASE("regista-ssl-vision: cameras, geometry and malformed packets, from gro
         }
         return frame.has_value();
       }));
-  CHECK(program.running());
-  program.interrupt();
-  CHECK(program.exit_status() == 0);
-  CHECK_THAT(program.stderr_text(), !Catch::Contains("libprotobuf"));
+  CHECK(is_alive(program.pid()));
+  program.send(SIGINT);
+  CHECK(program.wait() == 0);
+  CHECK_THAT(program.error(), !Catch::Contains("libprotobuf"));
 }
 
 TEST_CASE("regista-ssl-radio: from bus to port, and a stop at the end") {
-  Bus bus(private_bus(), real_clock());
+  const std::string url = private_bus();
+  Bus bus(url, real_clock());
   Mailbox<ModuleStatus> status(bus, channels::status("ssl-radio"));
   UdpServer yellow;
   UdpServer blue;
-  ChildProcess program("regista-ssl-radio",
-                       {"--lcm-url", private_bus(), "--set", "ssl_radio.yellow_port=" + std::to_string(yellow.port()),
-                        "--set", "ssl_radio.blue_port=" + std::to_string(blue.port())});
+  Program program({executable("regista-ssl-radio"), "--lcm-url", url, "--set",
+                   "ssl_radio.yellow_port=" + std::to_string(yellow.port()), "--set",
+                   "ssl_radio.blue_port=" + std::to_string(blue.port())});
   TeamCommands commands;
   commands.team = Team::blue;
   regista::RobotCommand command;
@@ -100,7 +96,7 @@ TEST_CASE("regista-ssl-radio: from bus to port, and a stop at the end") {
     return protoc_decode("ssl_simulation_control.proto", "RobotControl", bytes);
   };
   std::string heard;
-  REQUIRE(run(
+  REQUIRE(eventually(
       bus, [&] { bus.publish(channels::commands(Team::blue), commands); },
       [&] {
         while (const auto bytes = blue.receive(0)) heard = decoded(*bytes);
@@ -112,13 +108,13 @@ TEST_CASE("regista-ssl-radio: from bus to port, and a stop at the end") {
 
   blue.answer(
       protoc_encode("ssl_simulation_response.proto", "RobotControlResponse", R"(errors { code: "TEST_ERROR" })"));
-  CHECK(run(
+  CHECK(eventually(
       bus, [&] { bus.publish(channels::commands(Team::blue), commands); },
       [&] { return status.newest() != nullptr && status.newest()->note == "blue: TEST_ERROR"; }));
-  CHECK_THAT(program.stderr_text(), Catch::Contains("TEST_ERROR"));
+  CHECK_THAT(program.error(), Catch::Contains("TEST_ERROR"));
 
-  program.interrupt();
-  CHECK(program.exit_status() == 0);
+  program.send(SIGINT);
+  CHECK(program.wait() == 0);
   while (const auto bytes = blue.receive(0)) heard = decoded(*bytes);
   CHECK_THAT(heard, Catch::Contains("id: 9\n") && Catch::Contains("left: 0\n"));
 }
@@ -134,10 +130,10 @@ TEST_CASE("what cannot work ends with status 1 and one line") {
   };
   for (const auto& [name, setting] : cases) {
     CAPTURE(name, setting);
-    ChildProcess program(name, {"--lcm-url", "memq://", "--set", setting});
-    CHECK(program.exit_status() == 1);
-    const std::string text = program.stderr_text();
-    CHECK_THAT(text, Catch::StartsWith(name + ": "));
-    CHECK(std::count(text.begin(), text.end(), '\n') == 1);
+    const RunResult result = run({executable(name), "--lcm-url", "memq://", "--set", setting});
+    CHECK(result.status == 1);
+    CHECK(result.out.empty());
+    CHECK_THAT(result.error, Catch::StartsWith(name + ": "));
+    CHECK(std::count(result.error.begin(), result.error.end(), '\n') == 1);
   }
 }

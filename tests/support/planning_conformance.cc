@@ -1,5 +1,6 @@
 #include "tests/support/planning_conformance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -13,6 +14,9 @@ namespace {
 
 /// Enough for a random planner to cross a field of the test's size, few enough for thousands of worlds.
 constexpr std::int64_t kIterations = 300;
+
+/// How often a planner may ask for the time when it is up: one more than necessary is no harm.
+constexpr int kQuestions = 2;
 
 class Examination {
  public:
@@ -124,7 +128,40 @@ class Examination {
     }
   }
 
+  /// Walls with gaps at alternating ends and discs between them: no planner gets through without a search.
+  static ObstacleField labyrinth() {
+    std::vector<Obstacle> all;
+    for (int wall = 0; wall < 5; ++wall) {
+      const double x = 2.0 * wall - 4.0;
+      const double gap = wall % 2 == 0 ? 0.8 : -0.8;
+      all.push_back(rounded_rectangle({x - 0.1, -kHalfWidth_m + gap}, {x + 0.1, kHalfWidth_m + gap}, 0.1));
+      for (const double y : {-2.4, -0.8, 0.8, 2.4}) all.push_back(disc({x + 1.0, y}, 0.3));
+    }
+    return {test_bounds(), all};
+  }
+
+  void spent_budgets() {
+    const ObstacleField field = labyrinth();
+    PlanRequest request = request_of({-5.5, 0}, {5.5, 0});
+    request.budget.iterations = 100000;
+    expect(is_ok(examine(field, request, "labyrinth")), "labyrinth: not ok");
+    PlanRequest unlucky = request;
+    unlucky.budget.iterations = 0;
+    // Planners whose answer is not a matter of luck draw nothing.
+    if (!guarantees_.deterministic) {
+      expect(!is_ok(examine(field, unlucky, "labyrinth, no iterations")), "labyrinth, no iterations: ok");
+    }
+    int questions = 0;
+    const std::function<bool()> always = [&questions] { return ++questions > 0; };
+    request.budget.out_of_time = &always;
+    const Plan hurried = examine(field, request, "labyrinth, no time");
+    expect(hurried.status == PlanStatus::not_found, "labyrinth, no time: not not_found");
+    expect(questions > 0, "labyrinth, no time: the time is never asked for");
+    expect(questions <= kQuestions, "labyrinth, no time: goes on when the time is up");
+  }
+
   void budgets() {
+    spent_budgets();
     const ObstacleField one(test_bounds(), {disc({0, 0}, 0.5)});
     PlanRequest request = request_of({-3, 0}, {3, 0});
     request.budget.iterations = 0;
@@ -178,7 +215,15 @@ class Examination {
       const Plan mirror = planner_->plan(mirrored(field, signs), mirrored(request, signs));
       expect(mirror.status == plan.status && std::abs(mirror.length_m - plan.length_m) < 1e-9 * (1 + plan.length_m),
              where + ": the mirrored world has another length");
+      expect(!is_ok(plan) || are_mirrored(plan.path, mirror.path, signs),
+             where + ": the mirrored world has another path");
     }
+  }
+
+  /// In random worlds no two ways are equally long.
+  static bool are_mirrored(const std::vector<Vec2>& path, const std::vector<Vec2>& mirror, const Vec2& signs) {
+    return std::equal(path.begin(), path.end(), mirror.begin(), mirror.end(),
+                      [&](const Vec2& a, const Vec2& b) { return (a.cwiseProduct(signs) - b).norm() < 1e-9; });
   }
 
   const std::function<std::unique_ptr<Planner>()>& make_;

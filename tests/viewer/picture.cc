@@ -4,8 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "child_process.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/program.h"
 
 namespace regista {
 
@@ -13,7 +12,7 @@ Picture::Picture(const std::string& file) {
   const TemporaryFolder scratch;
   const std::string plain = scratch.path("picture.ppm");
   const RunResult converted = run({"convert", file, "-depth", "8", "ppm:" + plain});
-  if (converted.status != 0) throw std::runtime_error("no picture: " + file + ": " + converted.output);
+  if (converted.status != 0) throw std::runtime_error("no picture: " + file + ": " + converted.error);
   std::ifstream in(plain, std::ios::binary);
   std::string kind;
   int largest = 0;

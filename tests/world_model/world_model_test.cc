@@ -7,6 +7,7 @@
 
 #include "tests/world_model/scene.h"
 #include "world_model/prediction.h"
+#include "world_model/types/plausible.h"
 
 namespace regista {
 namespace {
@@ -65,16 +66,20 @@ TEST_CASE("a lost robot coasts on and becomes less certain; the ball goes after 
   }
   const WorldState seen = world.state();
   REQUIRE(seen.ball);
-  world.add_frame(frame(at_ms(1200), 1200, {}));
+  const auto see_nothing = [&](int first_ms, int last_ms) {
+    for (int ms = first_ms; ms <= last_ms; ms += 10)
+      world.add_frame(frame(at_ms(ms), static_cast<std::uint32_t>(ms), {}));
+  };
+  see_nothing(1010, 1200);
   const WorldState coasting = world.state();
   REQUIRE(coasting.robots.size() == 1);
   CHECK(coasting.robots[0].pose.position_m.x() == Approx(2.4).margin(1e-4));
   CHECK(coasting.robots[0].position_variance_m2 > seen.robots[0].position_variance_m2);
   CHECK(coasting.ball->age == Duration{200000});
-  world.add_frame(frame(at_ms(1990), 1990, {}));
+  see_nothing(1210, 1990);
   CHECK(world.state().robots.empty());
   CHECK(world.state().ball);
-  world.add_frame(frame(at_ms(2010), 2010, {}));
+  see_nothing(2000, 2010);
   CHECK_FALSE(world.state().ball);
 }
 
@@ -235,6 +240,103 @@ TEST_CASE("a frame that comes behind does not make a robot older") {
   feed(world, kY3, {}, {}, 0, 100);
   REQUIRE(world.add_frame(frame(at_ms(70), 1, {{kY3, {}, 1.0}}, {}, 1)) == FrameResult::taken);
   CHECK(world.state().robots.at(0).age == Duration{0});
+}
+
+TEST_CASE("stray stamps ahead cost neither robots nor more than a few frames") {
+  for (const int stray_ms : {100, 300, 600, 1000, 3000, 4900}) {
+    CAPTURE(stray_ms);
+    WorldModel world;
+    std::uint32_t number = 0;
+    for (int ms = 0; ms <= 6000; ms += 10) {
+      if (ms > 0 && ms % 1000 == 0) world.add_frame(frame(at_ms(ms - 10 + stray_ms), number++, {{kB0, {}, 1.0}}));
+      world.add_frame(frame(at_ms(ms), number++, {{kY3, {}, 1.0}}));
+      const WorldState state = world.state();
+      if (ms > 100) REQUIRE(find_robot(state, kY3) != nullptr);
+      REQUIRE(state.captured - at_ms(ms) <= at_ms(100) - at_ms(0));
+    }
+    const FrameCounts& counts = world.frame_counts();
+    CHECK(counts.restarted == 0);
+    CHECK(counts.late <= 6 * 4);
+    CHECK(counts.refused <= 6);
+    CHECK(counts.taken + counts.late + counts.refused == 601 + 6);
+  }
+}
+
+TEST_CASE("frames are counted by result: a camera that is always behind shows") {
+  WorldModel world;
+  for (int i = 0; i < 100; ++i) {
+    const auto number = static_cast<std::uint32_t>(i);
+    world.add_frame(frame(at_ms(1000 + 10.0 * i), number, {}));
+    if (i > 0) world.add_frame(frame(at_ms(940 + 10.0 * i), number, {}, {}, 1));
+    if (i == 0) world.add_frame(frame(at_ms(1000), number, {}));
+  }
+  CHECK(world.frame_counts() == FrameCounts{100, 0, 1, 99, 0});
+  for (std::uint32_t i = 0; i < 3; ++i) world.add_frame(frame(at_ms(90000 + 10.0 * i), i, {}));
+  CHECK(world.frame_counts() == FrameCounts{100, 1, 1, 99, 2});
+}
+
+TEST_CASE("false detections that return twice a second are never believed") {
+  WorldModel world;
+  for (int ms = 0; ms <= 5000; ms += 10) {
+    const bool ghost = ms % 500 == 0;
+    world.add_frame(frame(at_ms(ms), static_cast<std::uint32_t>(ms),
+                          ghost ? std::vector<RobotDetection>{{kB0, {}, 1.0}} : std::vector<RobotDetection>{},
+                          ghost ? std::vector<BallDetection>{{{1.0, 1.0}, 1.0}} : std::vector<BallDetection>{}));
+    const WorldState state = world.state();
+    REQUIRE(state.robots.empty());
+    REQUIRE_FALSE(state.ball);
+  }
+}
+
+TEST_CASE("commands are kept for robots in sight only, and go with them") {
+  WorldModelParams params;
+  params.latency_s = 0.05;
+  WorldModel world(params);
+  feed(world, kY3, {}, {}, 0, 100);
+  CHECK_FALSE(world.add_command(kB0, {at_ms(100), {1.0, 0.0, 0.0}}));
+  CHECK(world.add_command(kY3, {at_ms(100), {1.0, 0.0, 0.0}}));
+  feed(world, kB0, {}, {}, 110, 700);  // Y3 is gone
+  CHECK_FALSE(world.add_command(kY3, {at_ms(700), {1.0, 0.0, 0.0}}));
+}
+
+TEST_CASE("a robot hidden for long under the longest latency still knows all its commands") {
+  WorldModelParams params;
+  params.latency_s = 1.0;
+  params.robot_lost_after_s = 5.0;
+  WorldModel world(params);
+  RobotState truth;
+  std::vector<SentVelocity> sent;
+  for (int i = 0; i <= 500; ++i) {
+    std::vector<RobotDetection> seen;
+    if (i <= 50) seen.push_back({kY3, {}, 1.0});  // stands, then is hidden for 4.5 s and drives to and fro
+    world.add_frame(frame(at_ms(10.0 * i), static_cast<std::uint32_t>(i), seen));
+    sent.push_back({at_ms(10.0 * i), {i / 100 % 2 == 0 ? 0.0 : 1.0, 0.0, 0.0}});
+    world.add_command(kY3, sent.back());
+  }
+  truth = predicted(truth, at_ms(500), at_ms(6000), sent, from_seconds(1.0), 0.0);
+  const WorldState state = world.state();
+  REQUIRE(state.robots.size() == 1);
+  CHECK((state.robots[0].pose.position_m - truth.pose.position_m).norm() < 1e-6);
+}
+
+TEST_CASE("whatever is plausible is taken") {
+  for (const double sign : {-1.0, 1.0}) {
+    WorldModel world;
+    const Time last = from_us(kLatestStamp_us);
+    const Vec2 corner(sign * kFarthest_m, -sign * kFarthest_m);
+    CHECK_NOTHROW(world.add_frame(frame(from_us(-kLatestStamp_us), 1, {{kY3, {corner, 0.0}, 1.0}}, {{corner, 1.0}})));
+    for (int i = 3; i >= 0; --i) {
+      const Vec2 there = i % 2 == 0 ? corner : Vec2(-corner);
+      CHECK_NOTHROW(world.add_frame(frame(last - Duration{i}, 1, {{kY3, {there, 3.0}, 1.0}}, {{there, 0.0}})));
+    }
+    CHECK_NOTHROW(world.add_command(kY3, {last, {sign * kFastest_mps, kFastest_mps, sign * kFastestTurn_radps}}));
+    CHECK_NOTHROW(world.state());
+  }
+}
+
+TEST_CASE("by default vision is as noisy as the league's") {
+  CHECK(RobotFilterParams{}.position_sigma_m == 0.0013);
+  CHECK(RobotFilterParams{}.heading_sigma_rad == 0.010);
 }
 
 TEST_CASE("values that are no measurement are refused by name and change nothing") {

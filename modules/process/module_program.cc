@@ -1,4 +1,4 @@
-#include "modules/process/module_main.h"
+#include "modules/process/module_program.h"
 
 #include <CLI/CLI.hpp>
 #include <csignal>

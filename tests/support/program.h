@@ -12,8 +12,8 @@
 
 namespace regista {
 
-/// A bus URL of which cmdlines and groups are this test's own: private multicast group and port, never leaving the
-/// host.
+/// The URL of a bus that is nobody else's, another one with every call: private multicast group and port, never leaving
+/// the host. The processes on it can be found by it.
 std::string private_bus();
 
 /// The full path of one of our executables: "regista", "regista-sim".
@@ -21,9 +21,10 @@ std::string executable(const std::string& name);
 
 class Program {
  public:
-  /// Variables are "NAME=value". The input is what it reads from stdin.
-  explicit Program(const std::vector<std::string>& command, const std::string& input = "",
-                   const std::vector<std::string>& variables = {});
+  /// Variables are "NAME=value" over the test's own; "NAME" alone takes one away. The input is what it reads from
+  /// stdin.
+  explicit Program(const std::vector<std::string>& command, const std::vector<std::string>& variables = {},
+                   const std::string& input = "");
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
@@ -42,6 +43,15 @@ class Program {
   pid_t pid_ = -1;
   std::optional<int> status_;
 };
+
+/// A whole run; status as of wait(), -1 when it does not end.
+struct RunResult {
+  int status = -1;
+  std::string out;
+  std::string error;
+};
+RunResult run(const std::vector<std::string>& command, const std::vector<std::string>& variables = {},
+              const std::string& input = "");
 
 /// Waits until it holds; false after a time far longer than a slow machine needs.
 bool eventually(const std::function<bool()>& holds);

@@ -1,4 +1,4 @@
-#include "tests/regista/program.h"
+#include "tests/support/program.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>
@@ -18,42 +18,56 @@ namespace regista {
 namespace {
 
 constexpr std::chrono::seconds kPatience{90};
-constexpr std::chrono::milliseconds kPoll{20};
+constexpr std::chrono::milliseconds kPoll{10};
 
 std::string text_of(const std::string& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+void redirect(int descriptor, const std::string& file, int flags) {
+  dup2(open(file.c_str(), flags | O_CLOEXEC, 0600), descriptor);
+}
+
+void change_environment(const std::vector<std::string>& variables) {
+  for (const std::string& variable : variables) {
+    const std::size_t equals = variable.find('=');
+    if (equals == std::string::npos) {
+      unsetenv(variable.c_str());
+    } else {
+      setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
+    }
+  }
+}
+
 }  // namespace
 
 std::string private_bus() {
+  // Below the ports that the system hands out (Linux: from 32768).
+  constexpr int kFirstPort = 26000;
+  constexpr int kPorts = 6000;
+  constexpr int kStride = 997;  // prime: processes with neighbouring ids do not meet
   static int counter = 0;
   const int pid = getpid();
   return "udpm://239.255.78." + std::to_string(1 + pid % 250) + ":" +
-         std::to_string(20000 + (pid * 16 + counter++) % 20000) + "?ttl=0&recv_buf_size=8388608";
+         std::to_string(kFirstPort + (pid + kStride * counter++) % kPorts) + "?ttl=0&recv_buf_size=8388608";
 }
 
 std::string executable(const std::string& name) { return std::string(REGISTA_BIN_DIR) + "/" + name; }
 
-Program::Program(const std::vector<std::string>& command, const std::string& input,
-                 const std::vector<std::string>& variables) {
-  std::ofstream(folder_.path("in")) << input;
-  const std::string in = folder_.path("in"), out = folder_.path("out"), error = folder_.path("error");
+Program::Program(const std::vector<std::string>& command, const std::vector<std::string>& variables,
+                 const std::string& input) {
+  std::ofstream(folder_.path("in"), std::ios::binary) << input;
   std::vector<char*> arguments;
-  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   pid_ = fork();
   if (pid_ < 0) throw std::runtime_error("fork failed");
   if (pid_ > 0) return;
-  dup2(open(in.c_str(), O_RDONLY), STDIN_FILENO);
-  dup2(open(out.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDOUT_FILENO);
-  dup2(open(error.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0600), STDERR_FILENO);
-  for (const std::string& variable : variables) {
-    const std::size_t equals = variable.find('=');
-    setenv(variable.substr(0, equals).c_str(), variable.substr(equals + 1).c_str(), 1);
-  }
+  redirect(STDIN_FILENO, folder_.path("in"), O_RDONLY);
+  redirect(STDOUT_FILENO, folder_.path("out"), O_CREAT | O_WRONLY | O_TRUNC);
+  redirect(STDERR_FILENO, folder_.path("error"), O_CREAT | O_WRONLY | O_TRUNC);
+  change_environment(variables);
   execvp(arguments[0], arguments.data());
   _exit(127);
 }
@@ -81,6 +95,13 @@ std::optional<int> Program::wait() {
 
 std::string Program::out() const { return text_of(folder_.path("out")); }
 std::string Program::error() const { return text_of(folder_.path("error")); }
+
+RunResult run(const std::vector<std::string>& command, const std::vector<std::string>& variables,
+              const std::string& input) {
+  Program program(command, variables, input);
+  const int status = program.wait().value_or(-1);
+  return {status, program.out(), program.error()};
+}
 
 bool eventually(const std::function<bool()>& holds) {
   const auto end = std::chrono::steady_clock::now() + kPatience;

@@ -1,37 +1,29 @@
 // The program itself, over a private multicast group: pictures, window under Xvfb, recording, errors in one line.
-#include <signal.h>
-#include <unistd.h>
-
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <csignal>
 #include <filesystem>
 #include <regex>
 #include <thread>
 
-#include "child_process.h"
 #include "fake_scene.h"
 #include "modules/viewer/scene_drawing.h"
 #include "picture.h"
 #include "publish_scene.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/program.h"
+#include "tests/support/virtual_display.h"
 
 namespace regista {
 namespace {
 
 using namespace std::chrono_literals;
 
-const std::string kViewer = std::string(REGISTA_BIN_DIR) + "/regista-viewer";
-
-/// Nobody else's: of this process, never leaving this machine.
-std::string private_url() {
-  const auto port = 20000 + getpid() % 20000;
-  return "udpm://239.255.77.31:" + std::to_string(port) + "?ttl=0";
-}
+const std::string kViewer = executable("regista-viewer");
 
 /// A scene on the air, a hundred times a second, its time running.
 class Broadcast {
  public:
-  explicit Broadcast(ViewerScene scene) : scene_(std::move(scene)) {
+  Broadcast(std::string url, ViewerScene scene) : url_(std::move(url)), scene_(std::move(scene)) {
     thread_ = std::thread([this] { run(); });
   }
   ~Broadcast() {
@@ -41,7 +33,7 @@ class Broadcast {
 
  private:
   void run() {
-    Bus bus(private_url(), [] { return Time{}; });
+    Bus bus(url_, [] { return Time{}; });
     while (!stop_) {
       publish_scene(bus, scene_);
       scene_.world.captured += 10ms;
@@ -54,6 +46,7 @@ class Broadcast {
     }
   }
 
+  std::string url_;
   ViewerScene scene_;
   std::atomic<bool> stop_ = false;
   std::thread thread_;
@@ -69,29 +62,6 @@ void check_shows(const Picture& picture, const ViewerScene& scene) {
   CHECK(picture.count_near(palette::kBall, pixel_of(view, scene.world.ball->position_m), 4, 60) > 5);
   CHECK(alike(picture.at(pixel_of(view, {5.9, 4.4})), palette::kGrass, 12));
 }
-
-/// An X server of its own without screen; the number is chosen by the server.
-class VirtualDisplay {
- public:
-  explicit VirtualDisplay(const TemporaryFolder& scratch)
-      : number_file_(scratch.path("display")),
-        server_({"sh", "-c", "exec Xvfb -displayfd 9 -screen 0 1280x800x24 -nolisten tcp 9>" + number_file_}, {},
-                scratch.path("xvfb")) {}
-
-  /// ":7", empty when the server does not come up.
-  std::string name() {
-    for (int i = 0; i < 1000; ++i) {
-      const std::string number = text_of(number_file_);
-      if (!number.empty() && number.back() == '\n') return ":" + number.substr(0, number.size() - 1);
-      std::this_thread::sleep_for(20ms);
-    }
-    return {};
-  }
-
- private:
-  std::string number_file_;
-  ChildProcess server_;
-};
 
 /// Libraries may have had their say before.
 std::string last_line(std::string text) {
@@ -119,12 +89,12 @@ int observations_of(const std::string& info, const std::string& label) {
 
 TEST_CASE("--snapshot of a live bus writes what is on the air") {
   const TemporaryFolder scratch;
+  const std::string url = private_bus();
   const ViewerScene scene = fake_scene();
-  const Broadcast broadcast(scene);
+  const Broadcast broadcast(url, scene);
   const RunResult result =
-      run({kViewer, "--lcm-url", private_url(), "--snapshot", scratch.path("live.png"), "--size", "1600x1000"},
-          {"DISPLAY"});
-  INFO(result.output);
+      run({kViewer, "--lcm-url", url, "--snapshot", scratch.path("live.png"), "--size", "1600x1000"}, {"DISPLAY"});
+  INFO(result.error);
   REQUIRE(result.status == 0);
   const Picture picture(scratch.path("live.png"));
   CHECK(picture.width() == 1600);
@@ -148,7 +118,7 @@ TEST_CASE("--snapshot of a log shows the moment asked for") {
                                      scratch.path("log.png")};
     command.insert(command.end(), at.begin(), at.end());
     const RunResult result = run(command, {"DISPLAY"});
-    INFO(result.output);
+    INFO(result.error);
     REQUIRE(result.status == 0);
     return Picture(scratch.path("log.png"));
   };
@@ -166,31 +136,24 @@ TEST_CASE("--snapshot of a log shows the moment asked for") {
 TEST_CASE("the window under Xvfb shows what is on the air and closes on SIGTERM") {
   const TemporaryFolder scratch;
   const ViewerScene scene = fake_scene();
-  VirtualDisplay server(scratch);
-  const std::string display = server.name();
-  INFO(text_of(scratch.path("xvfb")));
-  REQUIRE(!display.empty());
-  const Broadcast broadcast(scene);
-  ChildProcess viewer({kViewer, "--lcm-url", private_url()}, {"DISPLAY=" + display}, scratch.path("viewer"));
+  const VirtualDisplay display;
+  const std::string url = private_bus();
+  const Broadcast broadcast(url, scene);
+  Program viewer({kViewer, "--lcm-url", url}, {"DISPLAY=" + display.name()});
   const auto grab = [&] {
-    const RunResult result =
-        run({"import", "-display", display, "-window", "root", scratch.path("screen.png")}, {"DISPLAY=" + display});
+    const RunResult result = run({"import", "-display", display.name(), "-window", "root", scratch.path("screen.png")});
     REQUIRE(result.status == 0);
     return Picture(scratch.path("screen.png"));
   };
   // A slow machine may take seconds to open the window and to draw the first picture with robots in it.
-  const View view = fitted_view(scene.field, 1280, 800);
+  const View view = fitted_view(scene.field, VirtualDisplay::kWidth_px, VirtualDisplay::kHeight_px);
   const Vec2 robot = pixel_of(view, scene.world.robots[3].pose.position_m);
-  Picture screen = grab();
-  for (int i = 0; i < 100 && screen.count_near(palette::kYellow, robot, 6, 60) == 0; ++i) {
-    REQUIRE(viewer.running());
-    std::this_thread::sleep_for(200ms);
-    screen = grab();
-  }
-  check_shows(screen, scene);
-  viewer.signal(SIGTERM);
-  INFO(text_of(scratch.path("viewer")));
-  CHECK(viewer.wait(10s) == 0);
+  eventually([&] { return !is_alive(viewer.pid()) || grab().count_near(palette::kYellow, robot, 6, 60) > 0; });
+  INFO(viewer.error());
+  REQUIRE(is_alive(viewer.pid()));
+  check_shows(grab(), scene);
+  viewer.send(SIGTERM);
+  CHECK(viewer.wait() == 0);
 }
 
 TEST_CASE("--record writes a rawlog that rawlog-edit reads, complete after SIGINT") {
@@ -198,24 +161,25 @@ TEST_CASE("--record writes a rawlog that rawlog-edit reads, complete after SIGIN
   const std::string file = scratch.path("run.rawlog");
   const ViewerScene scene = fake_scene();
   {
-    const Broadcast broadcast(scene);
-    ChildProcess viewer({kViewer, "--lcm-url", private_url(), "--record", file}, {"DISPLAY"}, scratch.path("viewer"));
-    for (int i = 0; i < 1000 && size_of(file) < kFirstSceneBytes; ++i) std::this_thread::sleep_for(20ms);
+    const std::string url = private_bus();
+    const Broadcast broadcast(url, scene);
+    Program viewer({kViewer, "--lcm-url", url, "--record", file}, {"DISPLAY"});
+    eventually([&] { return size_of(file) >= kFirstSceneBytes; });
     std::this_thread::sleep_for(1500ms);
-    viewer.signal(SIGINT);
-    const auto status = viewer.wait(10s);
-    INFO(text_of(scratch.path("viewer")));
+    viewer.send(SIGINT);
+    const auto status = viewer.wait();
+    INFO(viewer.error());
     REQUIRE(status == 0);
   }
   const RunResult info = run({"rawlog-edit", "--info", "-i", file, "-q"});
-  INFO(info.output);
+  INFO(info.out << info.error);
   REQUIRE(info.status == 0);
   for (const RobotState& robot : scene.world.robots) {
     INFO(to_string(robot.id));
-    CHECK(observations_of(info.output, to_string(robot.id)) > 10);
+    CHECK(observations_of(info.out, to_string(robot.id)) > 10);
   }
   constexpr const char* kScenes = "";  // MRPT writes a scene without its label
-  CHECK(observations_of(info.output, kScenes) >= 2);
+  CHECK(observations_of(info.out, kScenes) >= 2);
 }
 
 TEST_CASE("--record of a log ends with the log and holds every world state of it") {
@@ -231,21 +195,22 @@ TEST_CASE("--record of a log ends with the log and holds every world state of it
   const RunResult result =
       run({kViewer, "--lcm-url", "file://" + scratch.path("run.lcmlog"), "--record", scratch.path("run.rawlog")},
           {"DISPLAY"});
-  INFO(result.output);
+  INFO(result.error);
   REQUIRE(result.status == 0);
   const RunResult info = run({"rawlog-edit", "--info", "-i", scratch.path("run.rawlog"), "-q"});
-  CHECK(observations_of(info.output, "Y3") == 250);
-  CHECK(observations_of(info.output, "") == 3);
+  CHECK(observations_of(info.out, "Y3") == 250);
+  CHECK(observations_of(info.out, "") == 3);
 }
 
 TEST_CASE("what cannot be is said in one line, with the exit status") {
   const TemporaryFolder scratch;
   const auto refused = [](const RunResult& result, int status, const std::string& text) {
-    INFO(result.output);
+    INFO(result.error);
     CHECK(result.status == status);
-    CHECK(last_line(result.output).starts_with("regista-viewer: " + text));
+    CHECK(last_line(result.error).starts_with("regista-viewer: " + text));
   };
-  const std::vector<std::string> viewer{kViewer, "--lcm-url", private_url()};
+  const std::string url = private_bus();
+  const std::vector<std::string> viewer{kViewer, "--lcm-url", url};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), viewer.begin(), viewer.end());
     return more;
@@ -256,7 +221,7 @@ TEST_CASE("what cannot be is said in one line, with the exit status") {
   refused(run(with({"--snapshot", scratch.path("x.png")}), {"DISPLAY"}), 1, "no message within 10 s");
   refused(run({kViewer, "--lcm-url", "file:///no/such.lcmlog", "--snapshot", scratch.path("x.png")}), 1, "cannot open");
   {
-    const Broadcast broadcast(fake_scene());
+    const Broadcast broadcast(url, fake_scene());
     refused(run(with({"--snapshot", scratch.path("no/folder/x.png")}), {"DISPLAY"}), 1, "cannot write the picture");
   }
   CHECK(run(with({"--size", "big"})).status == 2);
