@@ -16,7 +16,7 @@ namespace regista {
 inline std::int8_t team_code(Team team) { return team == Team::yellow ? 0 : 1; }
 
 inline Team team_from(std::int8_t code) {
-  require(code == 0 || code == 1, "team is " + std::to_string(code) + ", must be 0 or 1");
+  require(code == 0 || code == 1, "team is ", code, ", must be 0 or 1");
   return code == 0 ? Team::yellow : Team::blue;
 }
 
@@ -26,13 +26,12 @@ inline std::uint16_t number_from(std::int16_t code) { return static_cast<std::ui
 inline std::int64_t sequence_code(std::uint64_t sequence) { return static_cast<std::int64_t>(sequence); }
 
 inline std::uint64_t sequence_from(std::int64_t code) {
-  require(code >= 0, "sequence is " + std::to_string(code));
+  require(code >= 0, "sequence is ", code);
   return static_cast<std::uint64_t>(code);
 }
 
 inline double plausible(double value, double largest, const char* field) {
-  require(is_plausible(value, largest),
-          std::string(field) + " is " + std::to_string(value) + ", beyond ±" + std::to_string(largest));
+  require(is_plausible(value, largest), field, " is ", value, ", beyond ±", largest);
   return value;
 }
 
@@ -56,19 +55,19 @@ inline Pose pose_from(double x_m, double y_m, double heading_rad) {
 
 /// A text with a zero byte in it would not survive the next encoding.
 inline std::string text_from(const std::string& text, const char* field) {
-  require(text.find('\0') == std::string::npos, std::string(field) + " holds a zero byte");
+  require(text.find('\0') == std::string::npos, field, " holds a zero byte");
   return text;
 }
 
 inline point_t to_point(const Vec2& p) { return {p.x(), p.y()}; }
 
 inline Time time_from(std::int64_t stamp_us) {
-  require(stamp_us >= -kLatestStamp_us && stamp_us <= kLatestStamp_us, "stamp is " + std::to_string(stamp_us) + " us");
+  require(stamp_us >= -kLatestStamp_us && stamp_us <= kLatestStamp_us, "stamp is ", stamp_us, " us");
   return from_us(stamp_us);
 }
 
 inline Duration age_from(std::int64_t age_us) {
-  require(age_us >= 0 && age_us <= kLatestStamp_us, "age_us is " + std::to_string(age_us));
+  require(age_us >= 0 && age_us <= kLatestStamp_us, "age_us is ", age_us);
   return Duration{age_us};
 }
 

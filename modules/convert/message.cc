@@ -41,8 +41,6 @@ double at_least(double value, double low, const char* field) {
   return value;
 }
 
-void require(bool holds, const std::string& why) {
-  if (!holds) throw MessageError(why);
-}
+void refuse(const std::string& why) { throw MessageError(why); }
 
 }  // namespace regista

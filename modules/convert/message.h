@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "modules/convert/codec.h"
@@ -60,7 +61,25 @@ Value decode(std::span<const std::uint8_t> bytes) {
 
 double finite(double value, const char* field);
 double at_least(double value, double low, const char* field);
-void require(bool holds, const std::string& why);
+
+[[noreturn]] void refuse(const std::string& why);
+
+/// The parts, texts and numbers, make up the message; they are put together only where it is needed, for this stands in
+/// the way of every number of every message.
+template <class... Parts>
+void require(bool holds, const Parts&... parts) {
+  if (holds) return;
+  std::string why;
+  const auto add = [&](const auto& part) {
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(part)>>) {
+      why += std::to_string(part);
+    } else {
+      why += part;
+    }
+  };
+  (add(parts), ...);
+  refuse(why);
+}
 
 /// A list's length as LCM counts it.
 template <class List>

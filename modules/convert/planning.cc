@@ -68,13 +68,13 @@ RobotPlan MessageOf<RobotPlan>::from_message(const plan_t& message) {
   robot_plan.robot = {team_from(message.team), robot_plan.target.robot};
   robot_plan.world_sequence = sequence_from(message.world_sequence);
   robot_plan.targets_sequence = sequence_from(message.targets_sequence);
-  require(message.set_size >= 1, "set_size is " + std::to_string(message.set_size));
+  require(message.set_size >= 1, "set_size is ", message.set_size);
   robot_plan.set_size = static_cast<std::uint32_t>(message.set_size);
   robot_plan.generation = sequence_from(message.generation);
   robot_plan.planner = text_from(message.planner, "planner");
   Plan& plan = robot_plan.plan;
-  require(message.status >= 0 && message.status <= static_cast<int>(PlanStatus::invalid),
-          "status is " + std::to_string(message.status) + ", must be 0 to 3");
+  require(message.status >= 0 && message.status <= static_cast<int>(PlanStatus::invalid), "status is ", message.status,
+          ", must be 0 to 3");
   plan.status = static_cast<PlanStatus>(message.status);
   plan.start_moved = message.start_moved != 0;
   plan.goal_moved = message.goal_moved != 0;
@@ -107,9 +107,8 @@ GraphPicture MessageOf<GraphPicture>::from_message(const graph_t& message) {
   graph.world_sequence = sequence_from(message.world_sequence);
   for (const point_t& node : message.nodes) graph.nodes.push_back(position_from(node.x_m, node.y_m));
   for (const graph_edge_t& edge : message.edges) {
-    require(edge.from >= 0 && edge.from < message.node_count && edge.to >= 0 && edge.to < message.node_count,
-            "edge " + std::to_string(edge.from) + "–" + std::to_string(edge.to) + " leads out of the " +
-                std::to_string(message.node_count) + " nodes");
+    require(edge.from >= 0 && edge.from < message.node_count && edge.to >= 0 && edge.to < message.node_count, "edge ",
+            edge.from, "–", edge.to, " leads out of the ", message.node_count, " nodes");
     graph.edges.push_back(
         {static_cast<std::uint32_t>(edge.from), static_cast<std::uint32_t>(edge.to), edge.blocked != 0});
   }

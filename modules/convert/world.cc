@@ -61,7 +61,7 @@ WorldState MessageOf<WorldState>::from_message(const world_state_t& message) {
   for (const robot_state_t& robot : message.robots) world.robots.push_back(regista::from_message(robot));
   require(strictly_sorted(world.robots, [](const RobotState& robot) { return robot.id; }),
           "robots are not sorted by team and number, or one comes twice");
-  require(message.ball_count <= 1, "ball_count is " + std::to_string(message.ball_count) + ", must be 0 or 1");
+  require(message.ball_count <= 1, "ball_count is ", message.ball_count, ", must be 0 or 1");
   if (message.ball_count == 1) world.ball = regista::from_message(message.balls.front());
   return world;
 }

@@ -14,7 +14,7 @@ constexpr double kSmallestField_m = 0.1;      // smaller than a robot: a unit er
 
 double metres(double millimetres, double low_m, const char* field) {
   const double value_m = at_least(millimetres / kMillimetresPerMetre, low_m, field);
-  require(value_m <= kFarthest_m, std::string(field) + " is more than 10 km");
+  require(value_m <= kFarthest_m, field, " is more than 1 km");
   return value_m;
 }
 
@@ -55,8 +55,8 @@ void set_defence_areas(const SSL_GeometryFieldSize& size, FieldGeometry& field) 
   }
   require(field.defence_depth_m >= 0.0 && field.defence_depth_m <= field.length_m / 2 &&
               field.defence_width_m <= field.width_m,
-          "a defence area " + std::to_string(field.defence_depth_m) + " m deep and " +
-              std::to_string(field.defence_width_m) + " m wide does not fit its half of the field");
+          "a defence area ", field.defence_depth_m, " m deep and ", field.defence_width_m,
+          " m wide does not fit its half of the field");
 }
 
 void set_centre_circle(const SSL_GeometryFieldSize& size, FieldGeometry& field) {

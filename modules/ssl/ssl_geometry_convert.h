@@ -10,7 +10,7 @@ namespace regista {
 
 /// The defence areas are the announced ones, else those of the drawn lines, else of the division whose length is
 /// nearer; likewise the centre circle. The vision does not know which team defends which goal: that is an argument.
-/// Throws MessageError where a length is negative, the field smaller than 0.1 m or larger than 10 km, or a defence area
+/// Throws MessageError where a length is negative, the field smaller than 0.1 m or larger than 1 km, or a defence area
 /// does not fit its half.
 FieldGeometry to_field_geometry(const SSL_GeometryData& geometry, bool yellow_on_positive_x);
 

@@ -14,7 +14,7 @@ constexpr double kFastestDribbler_radps = 1e5;  // as far from any motor
 constexpr double kRpmPerRadps = 60.0 / (2.0 * std::numbers::pi);
 
 float bounded(double value, double largest, const char* field) {
-  require(std::abs(finite(value, field)) <= largest, std::string(field) + " is " + std::to_string(value));
+  require(std::abs(finite(value, field)) <= largest, field, " is ", value);
   return static_cast<float>(value);
 }
 

@@ -16,7 +16,7 @@ constexpr double kMillimetresPerMetre = 1e3;  // divided by, so that 1800 mm are
 constexpr double kLatest_s = 1e11;
 
 Time to_time(double seconds, const char* field) {
-  require(std::abs(finite(seconds, field)) <= kLatest_s, std::string(field) + " is " + std::to_string(seconds));
+  require(std::abs(finite(seconds, field)) <= kLatest_s, field, " is ", seconds);
   return Time{from_seconds(seconds)};
 }
 

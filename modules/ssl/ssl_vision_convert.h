@@ -17,7 +17,7 @@ struct ConvertedFrame {
 
 /// Stamps stay on the source's own clock, which may be Unix time or count from the source's start: all deadlines are
 /// measured from arrival, so no mapping to the local clock is made. Confidences are clamped to 0–1, since sources scale
-/// them as they like. Throws MessageError where a value is not finite, farther than 10 km or past 10¹¹ s.
+/// them as they like. Throws MessageError where a value is not finite, farther than 1 km or past 10¹¹ s.
 ConvertedFrame to_vision_frame(const SSL_DetectionFrame& detection);
 
 }  // namespace regista

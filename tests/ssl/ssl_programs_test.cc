@@ -21,7 +21,7 @@ namespace {
 
 /// Repeats the action and takes messages until the condition holds.
 bool eventually(Bus& bus, const std::function<void()>& action, const std::function<bool()>& condition) {
-  return eventually([&] {
+  return regista::eventually([&] {
     action();
     while (bus.handle(0ms)) {
     }
@@ -111,7 +111,7 @@ TEST_CASE("regista-ssl-radio: from bus to port, and a stop at the end") {
   CHECK(eventually(
       bus, [&] { bus.publish(channels::commands(Team::blue), commands); },
       [&] { return status.newest() != nullptr && status.newest()->note == "blue: TEST_ERROR"; }));
-  CHECK_THAT(program.error(), Catch::Contains("TEST_ERROR"));
+  CHECK_THAT(program.out(), Catch::Contains("TEST_ERROR"));
 
   program.send(SIGINT);
   CHECK(program.wait() == 0);
