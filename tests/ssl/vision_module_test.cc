@@ -160,8 +160,8 @@ TEST_CASE("malformed packets are refused, counted and leave the module running")
       {"neither detection nor geometry", encode_vision("source: SSL_SOURCE_GRSIM")},
       {"x_m", encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: 1 t_sent: 1 "
                             "balls { confidence: 1 x: nan y: 0 pixel_x: 0 pixel_y: 0 } }")},
-      {"beyond 1 km", encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: 1 t_sent: 1 "
-                              "balls { confidence: 1 x: 1e9 y: 0 pixel_x: 0 pixel_y: 0 } }")},
+      {"beyond ±1000", encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: 1 t_sent: 1 "
+                                     "balls { confidence: 1 x: 1e9 y: 0 pixel_x: 0 pixel_y: 0 } }")},
       {"t_capture", encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: nan t_sent: 1 }")},
       {"detection.t_sent", encode_vision("detection { frame_number: 1 camera_id: 0 t_capture: 1 }")},
       {"geometry.field", encode_vision("geometry { }")},
