@@ -153,7 +153,7 @@ TEST_CASE("commands that are refused do not keep the robots driving") {
   radio.command(commands_of(Team::yellow, {3}));
   Radio::heard(radio.yellow);
   TeamCommands bad = commands_of(Team::yellow, {3});
-  bad.commands[0].dribbler_radps = 1e300;  // sent on by the bus, beyond what the protocol can say
+  bad.commands[0].dribbler_radps = 1e300;  // the bus takes it, the radio does not
   for (int i = 0; i < 12; ++i) {
     radio.now += 10ms;
     radio.command(bad);
