@@ -1,94 +1,13 @@
-// The whole loop in lock step: reproducible, replayable, safe when parts of it die, and planners swapped on the way.
+// The whole loop in lock step: within the rules, safe when parts of it die, and planners swapped on the way.
 #include "modules/lockstep/lock_step.h"
 
 #include <catch2/catch.hpp>
-#include <fstream>
-#include <iterator>
 
-#include "modules/lockstep/replay.h"
-#include "modules/lockstep/scenario_run.h"
-#include "modules/lockstep/whole_loop.h"
+#include "tests/modules/loop_fixture.h"
 #include "tests/modules/samples.h"
-#include "tests/support/temporary_folder.h"
 
 using namespace regista;
-
-namespace {
-
-const std::string kCrossing = std::string(REGISTA_SOURCE_DIR) + "/modules/scenarios/crossing.toml";
-constexpr double kPeriod_s = 0.01;  // of vision
-
-std::int64_t no_time() { return 0; }
-
-Config crossing(const std::vector<std::string>& settings) { return Config::load(kCrossing, settings); }
-
-/// A few robots: they rarely meet, so that what is seen is the modules' doing and no collision's.
-Config few_robots() { return crossing({"scenario.robots_per_team=2", "scenario.sim_preset=none", "scenario.seed=3"}); }
-
-std::string bytes_of(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void run_for(LockStep& loop, double seconds) { loop.run_until(loop.now() + from_seconds(seconds)); }
-
-double fastest_mps(const WholeLoop& modules, Team team) {
-  double fastest = 0.0;
-  for (const RobotState& robot : modules.sim->simulator().truth().robots) {
-    if (robot.id.team == team) fastest = std::max(fastest, robot.twist.velocity_mps.norm());
-  }
-  return fastest;
-}
-
-/// The fastest any robot of the team goes at some moment of that time.
-double fastest_during_mps(LockStep& loop, const WholeLoop& modules, Team team, double seconds) {
-  double fastest = 0.0;
-  for (double t = 0.0; t < seconds; t += kPeriod_s) {
-    run_for(loop, kPeriod_s);
-    fastest = std::max(fastest, fastest_mps(modules, team));
-  }
-  return fastest;
-}
-
-/// Where two lists of messages part, for people; empty when they do not.
-std::string first_difference(const Replay& replay) {
-  const std::size_t common = std::min(replay.recorded.size(), replay.replayed.size());
-  for (std::size_t i = 0; i < common; ++i) {
-    if (replay.recorded[i] == replay.replayed[i]) continue;
-    return "message " + std::to_string(i) + ": recorded " + replay.recorded[i].channel + " at " +
-           std::to_string(to_us(replay.recorded[i].received)) + " us, replayed " + replay.replayed[i].channel + " at " +
-           std::to_string(to_us(replay.replayed[i].received)) + " us";
-  }
-  if (replay.recorded.size() == replay.replayed.size()) return "";
-  return std::to_string(replay.recorded.size()) + " recorded, " + std::to_string(replay.replayed.size()) + " replayed";
-}
-
-// From 3 m/s at 4 m/s², after the longest deadline on the way (targets: 1 s).
-constexpr double kStopsWithin_s = 1.0 + 3.0 / 4.0 + 0.5;
-
-}  // namespace
-
-TEST_CASE("same seed, same log, byte for byte; another seed, another log") {
-  const TemporaryFolder folder;
-  const auto run = [&](const std::string& name, const std::string& seed) {
-    const std::string file = folder.path(name);
-    run_scenario(crossing({"scenario.duration_s=3", seed, "scenario.expect.targets_per_team_min=0"}),
-                 {.log_file = file}, real_stopwatch());
-    return bytes_of(file);
-  };
-  const std::string first = run("first.lcmlog", "scenario.seed=5");
-  CHECK(first.size() > 100'000);
-  CHECK(first == run("second.lcmlog", "scenario.seed=5"));
-  CHECK(first != run("third.lcmlog", "scenario.seed=6"));
-}
-
-TEST_CASE("a configuration that is refused costs no older log") {
-  const TemporaryFolder folder;
-  const std::string log = folder.path("run.lcmlog");
-  std::ofstream(log) << "precious";
-  CHECK_THROWS_AS(run_scenario(crossing({"planner.use=rr"}), {.log_file = log}, no_time), ConfigError);
-  CHECK(bytes_of(log) == "precious");
-}
+using namespace regista::loop_test;
 
 TEST_CASE("the main job reaches its targets within the rules of the field") {
   const RunSummary summary = run_scenario(
@@ -103,39 +22,6 @@ TEST_CASE("a target that cannot be reached in time breaks the expectation") {
   const RunSummary summary = run_scenario(
       crossing({"scenario.duration_s=1", "scenario.expect.targets_per_team_min=30"}), {}, real_stopwatch());
   CHECK(summary.violations.size() == 2);
-}
-
-TEST_CASE("a log replayed into fresh modules gives the recorded outputs, byte for byte") {
-  const TemporaryFolder folder;
-  const std::string log = folder.path("run.lcmlog");
-  const Config config = crossing({"scenario.duration_s=3", "scenario.expect.targets_per_team_min=0"});
-  run_scenario(config, {.log_file = log}, no_time);
-
-  const auto check = [&](const std::string& outputs, const std::function<void(LockStep&)>& add) {
-    INFO(outputs);
-    const Replay replay = replay_log(log, outputs, add);
-    CHECK(replay.recorded.size() > 50);
-    CHECK(first_difference(replay) == "");
-  };
-  check("WORLD_STATE", [&](LockStep& loop) { add_world_model(loop, config, no_time); });
-  check("TARGETS\\..", [&](LockStep& loop) { add_task(loop, config); });
-  check("(PLAN|GRAPH)\\.Y.*", [&](LockStep& loop) { add_planner(loop, config, Team::yellow, no_time); });
-  check("COMMANDS\\.B", [&](LockStep& loop) { add_controller(loop, config, Team::blue, no_time); });
-  check("(PLAN|GRAPH|COMMANDS)\\..*", [&](LockStep& loop) {
-    for (const Team team : {Team::yellow, Team::blue}) add_planner(loop, config, team, no_time);
-    for (const Team team : {Team::yellow, Team::blue}) add_controller(loop, config, team, no_time);
-  });
-}
-
-TEST_CASE("a replay with another parameter is seen to differ") {
-  const TemporaryFolder folder;
-  const std::string log = folder.path("run.lcmlog");
-  run_scenario(crossing({"scenario.duration_s=2", "scenario.expect.targets_per_team_min=0"}), {.log_file = log},
-               no_time);
-  const Config other = crossing({"planner.team_margin_m=0.2"});
-  const Replay replay =
-      replay_log(log, "(PLAN|GRAPH)\\.Y.*", [&](LockStep& loop) { add_planner(loop, other, Team::yellow, no_time); });
-  CHECK(first_difference(replay) != "");
 }
 
 TEST_CASE("planners are swapped while the robots drive, without a jump") {
