@@ -39,6 +39,7 @@ constexpr std::array kPlanners{
 
 [[noreturn]] void refuse(std::string_view name) {
   std::vector<std::string> names;
+  names.reserve(std::size(kPlanners));
   for (const PlannerEntry& entry : kPlanners) names.emplace_back(entry.name);
   std::string message =
       "unknown planner '" + std::string(name) + "', did you mean '" + nearest_name(name, names) + "'? Known:";

@@ -75,6 +75,7 @@ void parse(const std::string&, std::string_view text, Range, std::string& out) {
 
 void unknown_key(std::string_view key, const std::vector<ParamInfo>& known) {
   std::vector<std::string> keys;
+  keys.reserve(known.size());
   for (const ParamInfo& info : known) keys.push_back(info.key);
   const std::string nearest = nearest_name(key, keys);
   throw ParamError("unknown parameter '" + std::string(key) + "'" +

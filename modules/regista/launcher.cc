@@ -27,6 +27,7 @@ std::string host_name() {
 
 std::vector<std::string> names_of(const std::vector<ChildSpec>& specs) {
   std::vector<std::string> names;
+  names.reserve(specs.size());
   for (const ChildSpec& spec : specs) names.push_back(spec.name);
   return names;
 }
