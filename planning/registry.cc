@@ -1,6 +1,7 @@
 #include "planning/registry.h"
 
 #include <array>
+#include <type_traits>
 #include <vector>
 
 #include "planning/planners/rrt.h"
@@ -12,8 +13,12 @@ namespace regista {
 namespace {
 
 template <class P>
-std::unique_ptr<Planner> make() {
-  return std::make_unique<P>();
+std::unique_ptr<Planner> make(const PlanningParams& params) {
+  if constexpr (std::is_constructible_v<P, const PlanningParams&>) {
+    return std::make_unique<P>(params);
+  } else {
+    return std::make_unique<P>();
+  }
 }
 
 constexpr std::string_view kVisibilityPaper = "A Mapping & Planning Algorithm for RoboCup Small Size League (2022)";
@@ -58,6 +63,8 @@ const PlannerEntry& planner_entry(std::string_view name) {
   refuse(name);
 }
 
-std::unique_ptr<Planner> make_planner(std::string_view name) { return planner_entry(name).make(); }
+std::unique_ptr<Planner> make_planner(std::string_view name, const PlanningParams& params) {
+  return planner_entry(name).make(params);
+}
 
 }  // namespace regista

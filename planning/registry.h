@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "planning/planner.h"
+#include "planning/planning_params.h"
 
 namespace regista {
 
@@ -25,7 +26,8 @@ struct PlannerEntry {
   std::string_view what;    ///< one line
   std::string_view source;  ///< paper or "this project"
   Guarantees guarantees;
-  std::unique_ptr<Planner> (*make)() = nullptr;
+  /// With the parameters that concern it; most have none.
+  std::unique_ptr<Planner> (*make)(const PlanningParams& params) = nullptr;
 };
 
 /// what() is one line: the unknown name, the nearest known one and the list.
@@ -40,6 +42,6 @@ std::span<const PlannerEntry> planners();
 
 /// Throws UnknownPlanner.
 const PlannerEntry& planner_entry(std::string_view name);
-std::unique_ptr<Planner> make_planner(std::string_view name);
+std::unique_ptr<Planner> make_planner(std::string_view name, const PlanningParams& params = {});
 
 }  // namespace regista

@@ -28,14 +28,19 @@ void check(const Targets& targets, Team team) {
 }  // namespace
 
 TeamPlanner::TeamPlanner(Team team, const PlanningParams& params)
-    : team_(team), params_(params), entry_(&planner_entry(kDefaultPlanner)), planner_(entry_->make()) {}
+    : team_(team), params_(params), entry_(&planner_entry(kDefaultPlanner)), planner_(entry_->make(params)) {}
 
 void TeamPlanner::use(std::string_view planner) {
   const PlannerEntry& entry = planner_entry(planner);
   if (&entry == entry_) return;
-  planner_ = entry.make();
+  planner_ = entry.make(params_);
   entry_ = &entry;
   ++generation_;
+}
+
+void TeamPlanner::set_params(const PlanningParams& params) {
+  params_ = params;
+  planner_ = entry_->make(params_);
 }
 
 TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,

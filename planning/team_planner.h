@@ -32,7 +32,7 @@ class TeamPlanner {
   /// Counts the changes of planner, from 0.
   std::uint64_t generation() const { return generation_; }
 
-  void set_params(const PlanningParams& params) { params_ = params; }
+  void set_params(const PlanningParams& params);
   const PlanningParams& params() const { return params_; }
   Team team() const { return team_; }
 

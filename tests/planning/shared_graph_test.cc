@@ -49,7 +49,7 @@ TEST_CASE("what the graph remembers is what the field says, in both directions")
 TEST_CASE("an answer does not depend on who asked before") {
   std::mt19937_64 random(12);
   for (const PlannerEntry& entry : planners()) {
-    const std::unique_ptr<Planner> planner = entry.make();
+    const std::unique_ptr<Planner> planner = entry.make({});
     SharedGraph shared;
     for (int world = 0; world < 60; ++world) {
       const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(world));
@@ -60,7 +60,7 @@ TEST_CASE("an answer does not depend on who asked before") {
       for (PlanRequest& request : requests) request.budget.iterations = 200;
       std::vector<Plan> alone;
       alone.reserve(requests.size());
-      for (const PlanRequest& request : requests) alone.push_back(entry.make()->plan(field, request));
+      for (const PlanRequest& request : requests) alone.push_back(entry.make({})->plan(field, request));
       CAPTURE(entry.name, world);
       for (std::size_t i = 0; i < requests.size(); ++i) {
         const Plan plan = planner->plan(shared, requests[i]);
