@@ -6,6 +6,9 @@
 
 namespace regista {
 
+/// No coordinate or radius may be larger: squares must stay far from where single precision ends (3e38).
+inline constexpr double kLargest_m = 1e9;
+
 enum class Core { point, segment, rectangle };
 
 /// The open set {p : signed distance(p, core) < radius_m} is forbidden, its boundary is free. The signed distance is

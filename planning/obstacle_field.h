@@ -1,5 +1,5 @@
-// One frame's obstacles, laid out so that a point or a straight motion is tested against all of them at once.
-// Immutable; planners and the graph ask it, and it asks clearance.h wherever a fast test cannot say "free" for certain.
+// One frame's obstacles, laid out so that a point or a straight motion is tested against all of them at once. Planners
+// and the graph ask it, and it asks clearance.h wherever the fast test cannot say "free" for certain.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,9 @@
 #include <vector>
 
 #include "planning/clearance.h"
+#include "planning/obstacle_boxes.h"
 
 namespace regista {
-
-/// Index of an obstacle within its field.
-using ObstacleIndex = std::uint32_t;
 
 /// Where a robot's centre may be: |x| <= half_extent_m.x(), |y| <= half_extent_m.y(). Finite, >= 0.
 struct Bounds {
@@ -26,6 +24,14 @@ inline bool is_inside(const Vec2& point, const Bounds& bounds) {
          std::abs(point.y()) <= bounds.half_extent_m.y() + kTouch_m;
 }
 
+/// Membership in a sorted list of ignored obstacles, which are few.
+inline bool is_ignored(ObstacleIndex obstacle, std::span<const std::size_t> ignored) {
+  for (const std::size_t i : ignored) {
+    if (i >= obstacle) return i == obstacle;
+  }
+  return false;
+}
+
 /// An obstacle blocks where the clearance is below -kTouch_m. Lists of ignored obstacles are sorted indices.
 class ObstacleField {
  public:
@@ -35,13 +41,20 @@ class ObstacleField {
   /// finite or negative.
   ObstacleField(const Bounds& bounds, std::vector<Obstacle> obstacles);
 
+  /// The same in the memory of the old field, which stays when this throws.
+  void assign(const Bounds& bounds, std::span<const Obstacle> obstacles);
+
   const Bounds& bounds() const { return bounds_; }
   std::span<const Obstacle> obstacles() const { return obstacles_; }
   std::size_t size() const { return obstacles_.size(); }
 
   /// Inside the bounds and in no obstacle but ignored ones; for a segment, all of it.
-  bool is_free(const Vec2& point, std::span<const std::size_t> ignored = {}) const;
-  bool is_free(const Vec2& from, const Vec2& to, std::span<const std::size_t> ignored = {}) const;
+  bool is_free(const Vec2& point, std::span<const std::size_t> ignored = {}) const {
+    return is_free(point, point, ignored);
+  }
+  bool is_free(const Vec2& from, const Vec2& to, std::span<const std::size_t> ignored = {}) const {
+    return is_inside(from, bounds_) && is_inside(to, bounds_) && !first_blocker(from, to, ignored);
+  }
 
   /// An obstacle that blocks the segment (bounds are not asked), if any.
   std::optional<ObstacleIndex> first_blocker(const Vec2& from, const Vec2& to,
@@ -51,29 +64,16 @@ class ObstacleField {
   void blockers(const Vec2& from, const Vec2& to, std::vector<ObstacleIndex>& out) const;
 
   /// Appends all obstacles that cover the point to `out`.
-  void covering(const Vec2& point, std::vector<ObstacleIndex>& out) const;
+  void covering(const Vec2& point, std::vector<ObstacleIndex>& out) const { blockers(point, point, out); }
+
+  /// Appends all obstacles that may come nearer than `margin_m` to the given one of the field, itself left out: none
+  /// that does is missing, some may be farther.
+  void maybe_near(ObstacleIndex obstacle, double margin_m, std::vector<ObstacleIndex>& out) const;
 
  private:
-  template <class Visit>
-  void for_candidates(const Vec2& from, const Vec2& to, Visit&& visit) const;
-
   Bounds bounds_;
   std::vector<Obstacle> obstacles_;
-
-  // Discs, padded to whole vectors with discs that nothing meets.
-  std::vector<double> disc_x_, disc_y_, disc_reach2_;
-  std::vector<ObstacleIndex> disc_index_;
-  // Boxes around all other obstacles, padded likewise: centre and half extent.
-  std::vector<double> box_x_, box_y_, box_half_x_, box_half_y_;
-  std::vector<ObstacleIndex> box_index_;
+  ObstacleBoxes boxes_;
 };
-
-/// Membership in a sorted list of ignored obstacles, which are few.
-inline bool is_ignored(ObstacleIndex obstacle, std::span<const std::size_t> ignored) {
-  for (const std::size_t i : ignored) {
-    if (i >= obstacle) return i == obstacle;
-  }
-  return false;
-}
 
 }  // namespace regista

@@ -9,9 +9,13 @@ namespace {
 
 std::string text(const Vec2& v) { return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ") m"; }
 
+bool is_usable(const Vec2& point) { return point.cwiseAbs().maxCoeff() <= kLargest_m && is_finite(point); }
+
 void check(const PlanRequest& request, std::size_t obstacles) {
-  if (!is_finite(request.start)) throw std::invalid_argument("start must be finite, not " + text(request.start));
-  if (!is_finite(request.goal)) throw std::invalid_argument("goal must be finite, not " + text(request.goal));
+  if (!is_usable(request.start))
+    throw std::invalid_argument("start must be finite, below 1e9, not " + text(request.start));
+  if (!is_usable(request.goal))
+    throw std::invalid_argument("goal must be finite, below 1e9, not " + text(request.goal));
   if (request.budget.iterations < 0) {
     throw std::invalid_argument("iterations must be >= 0, not " + std::to_string(request.budget.iterations));
   }
@@ -49,6 +53,7 @@ std::string fault(const ObstacleField& field, const Query& query, const SearchRe
   for (const Vec2& point : result.path) {
     if (!is_finite(point)) return "is not finite";
   }
+  if (query.is_straight_free && result.path.size() == 2 && ok) return "";
   if (!legs_are_free(field, result.path, query.ignored)) return "leads through an obstacle or out of bounds";
   return "";
 }
@@ -67,14 +72,19 @@ void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& 
   answer.reason.clear();
   answer.length_m = 0.0;
   answer.start_moved = answer.goal_moved = false;
-  const std::optional<Vec2> start = way_out(field, request.start, request.ignored);
+  const bool is_straight_free = field.is_free(request.start, request.goal, request.ignored);
+  const std::optional<Vec2> start = is_straight_free ? request.start : way_out(field, request.start, request.ignored);
   if (!start) return refuse(answer, PlanStatus::unreachable, "the start is covered and there is no straight way out");
-  const std::optional<Vec2> goal = nearest_free_point(field, request.goal, request.ignored);
+  const std::optional<Vec2> goal =
+      is_straight_free ? request.goal : nearest_free_point(field, request.goal, request.ignored);
   if (!goal) return refuse(answer, PlanStatus::unreachable, "there is no free point for the goal");
   answer.start_moved = *start != request.start;
   answer.goal_moved = *goal != request.goal;
 
-  const Query query{*start, *goal, request.ignored, request.seed, request.budget, request.previous_path};
+  Query query{*start, *goal, request.ignored, request.seed, request.budget, request.previous_path, is_straight_free};
+  if (answer.start_moved || answer.goal_moved) {
+    query.is_straight_free = field.is_free(query.start, query.goal, query.ignored);
+  }
   result_.status = PlanStatus::not_found;
   result_.path.clear();
   result_.reason.clear();

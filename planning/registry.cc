@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planning/planners/rrt.h"
+#include "planning/planners/tangent.h"
 #include "planning/planners/visibility_sampling.h"
 #include "planning/planners/visibility_sampling_single.h"
 #include "world_model/params.h"
@@ -25,6 +26,11 @@ constexpr std::string_view kVisibilityPaper = "A Mapping & Planning Algorithm fo
 
 // Name, what, source, {complete, optimal, deterministic, anytime}, factory.
 constexpr std::array kPlanners{
+    PlannerEntry{"tangent",
+                 "exact shortest path over tangents and arcs, on the graph shared by the team",
+                 "this project",
+                 {true, true, true, false},
+                 make<TangentPlanner>},
     PlannerEntry{"visibility_sampling",
                  "visibility sampling on the graph shared by the team",
                  kVisibilityPaper,

@@ -36,6 +36,7 @@ struct Query {
   std::uint64_t seed = 1;
   Budget budget;
   std::span<const Vec2> previous_path;
+  bool is_straight_free = false;  ///< the segment from start to goal is free
 };
 
 }  // namespace regista

@@ -53,7 +53,8 @@ void append_corners(const Obstacle& obstacle, const Bounds& bounds, std::vector<
 }
 
 double box_gap(const Obstacle& one, const Obstacle& other) {
-  return (one.a - other.b).cwiseMax(other.a - one.b).cwiseMax(0.0).norm() - one.radius_m - other.radius_m;
+  const Vec2 apart = (one.a - other.b).cwiseMax(other.a - one.b);
+  return apart.cwiseMax(0.0).norm() + std::min(apart.maxCoeff(), 0.0) - one.radius_m - other.radius_m;
 }
 
 }  // namespace

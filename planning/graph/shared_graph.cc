@@ -4,8 +4,18 @@
 
 namespace regista::graph {
 
+void SharedGraph::reset(const Bounds& bounds, std::span<const Obstacle> obstacles) {
+  field_.assign(bounds, obstacles);
+  forget();
+}
+
 void SharedGraph::reset(ObstacleField field) {
   field_ = std::move(field);
+  forget();
+}
+
+void SharedGraph::forget() {
+  contacts_.reset(field_.size());
   sampled_.assign(field_.size(), Sampled{});
   NodeId next = 0;
   for (std::size_t i = 0; i < field_.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "planning/graph/contacts.h"
 #include "planning/graph/edge_memo.h"
 #include "planning/graph/graph_picture.h"
 #include "planning/obstacle_field.h"
@@ -22,7 +23,8 @@ class SharedGraph {
   SharedGraph() = default;
   explicit SharedGraph(ObstacleField field) { reset(std::move(field)); }
 
-  /// Begins a new frame, keeping the memory.
+  /// Begins a new frame, keeping the memory. Throws as ObstacleField does.
+  void reset(const Bounds& bounds, std::span<const Obstacle> obstacles);
   void reset(ObstacleField field);
 
   const ObstacleField& field() const { return field_; }
@@ -41,6 +43,10 @@ class SharedGraph {
   /// is asked again.
   std::span<const ObstacleIndex> covering(NodeId node);
   std::span<const ObstacleIndex> blockers(NodeId from, NodeId to);
+
+  /// Where the boundary of an obstacle cannot be run along; `body` is the obstacle's. Valid until the graph is asked
+  /// again.
+  Contacts::Of contacts(ObstacleIndex obstacle, const Body& body) { return contacts_.of(field_, obstacle, body); }
 
   /// What has been evaluated so far; captured, team and sequence are left to the caller.
   GraphPicture picture() const;
@@ -61,7 +67,10 @@ class SharedGraph {
     return {arena_.data() + blockers.begin, blockers.count};
   }
 
+  void forget();
+
   ObstacleField field_;
+  Contacts contacts_;
   std::vector<Sampled> sampled_;  ///< by obstacle
   std::vector<Node> nodes_;       ///< by NodeId
   EdgeMemo edges_;

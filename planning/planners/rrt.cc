@@ -77,7 +77,7 @@ class Tree {
 
 void Rrt::search(graph::SharedGraph& graph, const Query& query, SearchResult& result) {
   const ObstacleField& field = graph.field();
-  if (field.is_free(query.start, query.goal, query.ignored)) {
+  if (query.is_straight_free) {
     result.path = {query.start, query.goal};
     result.status = PlanStatus::ok;
     return;

@@ -3,7 +3,7 @@
 namespace regista {
 
 void VisibilitySampling::search(graph::SharedGraph& graph, const Query& query, SearchResult& result) {
-  if (!graph.field().first_blocker(query.start, query.goal, query.ignored)) {
+  if (query.is_straight_free) {
     result.path.push_back(query.start);
     result.path.push_back(query.goal);
     result.status = PlanStatus::ok;

@@ -1,0 +1,72 @@
+// Common tangents of two bodies, as legs of a path that goes round both.
+#pragma once
+
+#include "planning/graph/body.h"
+
+namespace regista::graph {
+
+/// A straight leg from one boundary to another, touching both.
+struct Tangent {
+  Place from;
+  Place to;
+  double length_m = 0.0;
+};
+
+/// A point as a body.
+inline Body body_of(const Vec2& point) {
+  Body body;
+  body.corners[0] = point;
+  body.count = 1;
+  body.period = 4.0;
+  return body;
+}
+
+/// Calls visit(tangent) for each leg that leaves `from`, gone round on from_side, and arrives at `to`, gone round on
+/// to_side: one where the bodies are apart, more or none where they overlap. Sides are 1 (counter-clockwise) or -1; for
+/// a point the side means nothing.
+///
+/// With t the leg's direction and J a quarter turn left, the path touches at corner + radius·n with n = -side·J t, so
+/// d = L t + (r₂s₂ - r₁s₁) J t for d from corner to corner, which gives L and t.
+template <class Visit>
+void for_tangents(const Body& from, double from_side, const Body& to, double to_side, Visit&& visit);
+
+// ---------------------------------------------------------------------------------------------------------------------
+
+/// Overlapping by this little counts as touching. Metres.
+inline constexpr double kTangentTouch_m = 1e-9;
+
+/// No corner lies farther out than the touched one, but for rounding.
+inline bool supports(const Body& body, std::uint32_t corner, const Vec2& normal) {
+  constexpr double kRounding_m = 1e-10;
+  for (std::uint32_t k = 0; k < body.count; ++k) {
+    if ((body.corners[k] - body.corners[corner]).dot(normal) > kRounding_m) return false;
+  }
+  return true;
+}
+
+template <class Visit>
+void for_tangents(const Body& from, double from_side, const Body& to, double to_side, Visit&& visit) {
+  const double m = to.radius_m * to_side - from.radius_m * from_side;
+  for (std::uint32_t i = 0; i < from.count; ++i) {
+    for (std::uint32_t j = 0; j < to.count; ++j) {
+      const Vec2 d = to.corners[j] - from.corners[i];
+      const double distance2 = d.squaredNorm();
+      const double length2 = distance2 - m * m;
+      const double touch2 = 2.0 * kTangentTouch_m * std::abs(m);
+      if (length2 < -touch2 || distance2 == 0.0) continue;
+      // Where the ends touch, the root of what is rounding would be a leg.
+      const bool touches = length2 <= touch2;
+      const double length_m = touches ? 0.0 : std::sqrt(length2);
+      // J t, and from it both normals.
+      const Vec2 across = touches ? Vec2(d * std::copysign(1.0 / std::sqrt(distance2), m))
+                                  : Vec2((length_m * Vec2(-d.y(), d.x()) + m * d) / distance2);
+      const Vec2 from_normal = -from_side * across;
+      const Vec2 to_normal = -to_side * across;
+      if (from.count > 1 && !supports(from, i, from_normal)) continue;
+      if (to.count > 1 && !supports(to, j, to_normal)) continue;
+      visit(Tangent{place_on_arc(from, i, from_normal), place_on_arc(to, j, to_normal), length_m});
+    }
+  }
+}
+
+}  // namespace regista::graph

@@ -1,0 +1,108 @@
+#include "planning/graph/taut_path.h"
+
+#include <algorithm>
+
+#include "planning/graph/turn.h"
+
+namespace regista::graph {
+namespace {
+
+void append(const Vec2& point, std::vector<Vec2>& path) {
+  if (path.empty() || path.back() != point) path.push_back(point);
+}
+
+/// One corner's circle between two of its normals.
+class CornerArc {
+ public:
+  CornerArc(const Vec2& corner, double radius_m, double side, std::vector<Vec2>& path)
+      : corner_(corner), radius_m_(radius_m), side_(side), path_(path) {}
+
+  /// Tangent legs at both ends.
+  void append_between(const Vec2& from, const Vec2& to) {
+    const double angle_rad = turn(from, to, side_);
+    const int steps = 1 + static_cast<int>(angle_rad / kArcStep_rad);
+    if (steps == 1) {
+      append(corner_ + from_both(from, to), path_);
+      return;
+    }
+    const double half_rad = 0.5 * angle_rad / steps;
+    const double reach_m = radius_m_ / std::cos(half_rad);
+    const Vec2 turned(std::cos(2.0 * half_rad), side_ * std::sin(2.0 * half_rad));
+    Vec2 normal = rotated(from, side_ * half_rad);
+    for (int i = 0; i < steps; ++i) {
+      append(corner_ + reach_m * normal, path_);
+      normal = {turned.x() * normal.x() - turned.y() * normal.y(), turned.y() * normal.x() + turned.x() * normal.y()};
+    }
+  }
+
+ private:
+  /// Where the tangents at both normals meet.
+  Vec2 from_both(const Vec2& from, const Vec2& to) const { return (from + to) * (radius_m_ / (1.0 + from.dot(to))); }
+
+  const Vec2& corner_;
+  double radius_m_;
+  double side_;
+  std::vector<Vec2>& path_;
+};
+
+/// Normals of a corner that point straight at what lies near: there a leg must touch, for the tangent separates both.
+void find_breaks(const SharedGraph& graph, std::span<const ObstacleIndex> brushes, const Vec2& corner,
+                 std::vector<Vec2>& breaks) {
+  for (const ObstacleIndex brush : brushes) {
+    if (brush == kBounds) {
+      for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) breaks.push_back(axis);
+      continue;
+    }
+    const Obstacle& other = graph.field().obstacles()[brush];
+    const Vec2 nearest = other.core == Core::rectangle ? Vec2(corner.cwiseMax(other.a).cwiseMin(other.b))
+                                                       : nearest_on_segment(corner, other.a, other.b);
+    const Vec2 towards = nearest - corner;
+    if (towards.squaredNorm() > 0.0) breaks.push_back(towards.normalized());
+  }
+}
+
+void append_corner(const SharedGraph& graph, std::span<const ObstacleIndex> brushes, const Body& body,
+                   std::uint32_t corner, const Arc& arc, std::vector<Vec2>& path) {
+  const Vec2& centre = body.corners[corner];
+  if (body.radius_m == 0.0) {
+    append(centre, path);
+    return;
+  }
+  CornerArc corner_arc(centre, body.radius_m, arc.side, path);
+  const double angle_rad = turn(arc.from.normal, arc.to.normal, arc.side);
+  Vec2 from = arc.from.normal;
+  if (!brushes.empty()) {
+    std::vector<Vec2> breaks;
+    find_breaks(graph, brushes, centre, breaks);
+    const auto turn_to = [&](const Vec2& normal) { return turn(arc.from.normal, normal, arc.side); };
+    std::sort(breaks.begin(), breaks.end(), [&](const Vec2& a, const Vec2& b) { return turn_to(a) < turn_to(b); });
+    for (const Vec2& normal : breaks) {
+      if (turn_to(normal) <= kNoTurn_rad || turn_to(normal) >= angle_rad - kNoTurn_rad) continue;
+      corner_arc.append_between(from, normal);
+      from = normal;
+    }
+  }
+  corner_arc.append_between(from, arc.to.normal);
+}
+
+}  // namespace
+
+void append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc, std::vector<Vec2>& path) {
+  const std::span<const ObstacleIndex> brushes = graph.contacts(obstacle, body).brushes;
+  const bool is_forwards = arc.side > 0.0;
+  const std::uint32_t step = is_forwards ? 1 : body.count - 1;
+  // Behind on the same corner: all the way round.
+  bool goes_round = body.count > 1 && arc.from.corner == arc.to.corner &&
+                    ahead(body, arc.from.order, arc.to.order, arc.side) > 0.5 * body.period;
+  Arc rest = arc;
+  for (std::uint32_t corner = arc.from.corner; corner != arc.to.corner || goes_round;
+       corner = (corner + step) % body.count) {
+    goes_round = false;
+    const Vec2 end = body.begin_normals[is_forwards ? (corner + 1) % body.count : corner];
+    append_corner(graph, brushes, body, corner, {rest.from, {Vec2::Zero(), end, 0.0, corner}, arc.side}, path);
+    rest.from.normal = end;
+  }
+  append_corner(graph, brushes, body, arc.to.corner, rest, path);
+}
+
+}  // namespace regista::graph

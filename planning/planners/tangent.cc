@@ -1,0 +1,24 @@
+#include "planning/planners/tangent.h"
+
+namespace regista {
+
+void TangentPlanner::search(graph::SharedGraph& graph, const Query& query, SearchResult& result) {
+  if (query.is_straight_free) {
+    result.path.push_back(query.start);
+    result.path.push_back(query.goal);
+    result.status = PlanStatus::ok;
+    return;
+  }
+  using End = graph::TangentSearch::End;
+  const End end = search_.find(graph, query, result.path);
+  if (end == End::goal) {
+    result.status = PlanStatus::ok;
+  } else if (end == End::no_way) {
+    result.status = PlanStatus::unreachable;
+    result.reason = "obstacles close every way";
+  } else {
+    result.reason = "the time was spent";
+  }
+}
+
+}  // namespace regista
