@@ -61,6 +61,16 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
          ((a_side > 0.0 && b_side < 0.0) || (a_side < 0.0 && b_side > 0.0));
 }
 
+/// Closed box, closed segment: not separated along x, along y or across the segment.
+bool box_meets_segment(const Vec2& low, const Vec2& high, const Vec2& from, const Vec2& to) {
+  const Vec2 along = to - from;
+  const Vec2 doubled_offset = from + to - low - high;
+  const Vec2 size = high - low;
+  return std::abs(doubled_offset.x()) <= size.x() + std::abs(along.x()) &&
+         std::abs(doubled_offset.y()) <= size.y() + std::abs(along.y()) &&
+         std::abs(cross(along, doubled_offset)) <= std::abs(along.x()) * size.y() + std::abs(along.y()) * size.x();
+}
+
 double point_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
   return (nearest_on_segment(point, a, b) - point).norm();
 }
@@ -70,6 +80,21 @@ double segment_segment(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& 
   if (segments_cross(a, b, c, d)) return 0.0;
   return std::min(std::min(point_segment(c, a, b), point_segment(d, a, b)),
                   std::min(point_segment(a, c, d), point_segment(b, c, d)));
+}
+
+/// Of a segment that does not meet the box: nearest at an end of the one or a corner of the other.
+double box_segment_apart(const Vec2& low, const Vec2& high, const Vec2& from, const Vec2& to) {
+  const Vec2 along = to - from;
+  const double length2 = along.squaredNorm();
+  const double per_length2 = length2 > 0.0 ? 1.0 / length2 : 0.0;
+  double least2 = std::min((low - from).cwiseMax(from - high).cwiseMax(0.0).squaredNorm(),
+                           (low - to).cwiseMax(to - high).cwiseMax(0.0).squaredNorm());
+  for (const Vec2& corner : {low, Vec2(high.x(), low.y()), high, Vec2(low.x(), high.y())}) {
+    const Vec2 to_corner = corner - from;
+    const double t = std::clamp(to_corner.dot(along) * per_length2, 0.0, 1.0);
+    least2 = std::min(least2, (to_corner - t * along).squaredNorm());
+  }
+  return std::sqrt(least2);
 }
 
 }  // namespace
@@ -94,6 +119,9 @@ double clearance(const Vec2& from, const Vec2& to, const Obstacle& obstacle) {
       return segment_segment(from, to, obstacle.a, obstacle.b) - obstacle.radius_m;
     case Core::rectangle:
       break;
+  }
+  if (!box_meets_segment(obstacle.a, obstacle.b, from, to)) {
+    return box_segment_apart(obstacle.a, obstacle.b, from, to) - obstacle.radius_m;
   }
   return BoxApproach(from, to, obstacle.a, obstacle.b).least() - obstacle.radius_m;
 }

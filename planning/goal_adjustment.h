@@ -2,20 +2,61 @@
 // where the nearest point can be, tried in order of distance.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "planning/obstacle_field.h"
+#include "planning/outline.h"
 
 namespace regista {
 
-/// The free point nearest to `point` (itself when free): inside the bounds, in no obstacle but ignored ones. Nothing
-/// when there is none at all.
-std::optional<Vec2> nearest_free_point(const ObstacleField& field, const Vec2& point,
-                                       std::span<const std::size_t> ignored = {});
+/// Only scratch memory is kept between two questions.
+class GoalAdjustment {
+ public:
+  /// The free point nearest to `point` (itself when free): inside the bounds, in no obstacle but ignored ones. Nothing
+  /// when there is none at all.
+  std::optional<Vec2> nearest_free_point(const ObstacleField& field, const Vec2& point,
+                                         std::span<const std::size_t> ignored = {});
 
-/// The free point nearest to `start` that a straight leg reaches while crossing only obstacles that cover the start;
-/// the outside of the bounds counts as covering a start that lies there. Nothing when there is none.
-std::optional<Vec2> way_out(const ObstacleField& field, const Vec2& start, std::span<const std::size_t> ignored = {});
+  /// The free point nearest to `start` that a straight leg reaches while crossing only obstacles that cover the start;
+  /// the outside of the bounds counts as covering a start that lies there. Nothing when there is none.
+  std::optional<Vec2> way_out(const ObstacleField& field, const Vec2& start, std::span<const std::size_t> ignored = {});
+
+ private:
+  std::optional<Vec2> nearest_on_outlines();
+  bool admits(const Vec2& candidate) const;
+  void find_covering();
+  bool try_deepest();
+  bool try_within(double radius_m);
+  void add(const Outline& outline);
+  void add_rays(const Outline& outline);
+  void try_candidates();
+
+  const ObstacleField* field_ = nullptr;  ///< of the question that is being answered, as all up to best_
+  std::span<const std::size_t> ignored_;
+  Vec2 from_ = Vec2::Zero();
+  bool is_way_out_ = false;
+  double best_m_ = std::numeric_limits<double>::infinity();
+  std::optional<Vec2> best_;
+  std::vector<ObstacleIndex> covering_;
+  std::vector<std::size_t> crossed_;  ///< what a way out may cross: ignored and covering obstacles, sorted
+  std::vector<std::pair<double, ObstacleIndex>> order_;
+  std::vector<Outline> added_;
+  std::vector<Outline> rays_;
+  std::vector<Vec2> candidates_;
+};
+
+/// The same without memory to reuse.
+inline std::optional<Vec2> nearest_free_point(const ObstacleField& field, const Vec2& point,
+                                              std::span<const std::size_t> ignored = {}) {
+  return GoalAdjustment().nearest_free_point(field, point, ignored);
+}
+inline std::optional<Vec2> way_out(const ObstacleField& field, const Vec2& start,
+                                   std::span<const std::size_t> ignored = {}) {
+  return GoalAdjustment().way_out(field, start, ignored);
+}
 
 }  // namespace regista

@@ -31,7 +31,13 @@ inline Obstacle rounded_rectangle(const Vec2& corner, const Vec2& opposite, doub
   return {Core::rectangle, corner.cwiseMin(opposite), corner.cwiseMax(opposite), radius_m};
 }
 
-/// True when all numbers are finite and the radius is not negative.
-bool is_valid(const Obstacle& obstacle);
+/// True when no number is larger than kLargest_m, all are numbers, and the radius is not negative.
+inline bool is_valid(const Obstacle& obstacle) {
+  const double largest_m = std::max({std::abs(obstacle.a.x()), std::abs(obstacle.a.y()), std::abs(obstacle.b.x()),
+                                     std::abs(obstacle.b.y()), std::abs(obstacle.radius_m)});
+  // A sum keeps what is not a number; a maximum may lose it.
+  const double sum = obstacle.a.x() + obstacle.a.y() + obstacle.b.x() + obstacle.b.y() + obstacle.radius_m;
+  return largest_m <= kLargest_m && sum == sum && obstacle.radius_m >= 0.0;
+}
 
 }  // namespace regista

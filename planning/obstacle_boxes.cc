@@ -24,63 +24,43 @@ std::uint64_t spread(std::uint64_t bits) {
 
 }  // namespace
 
-void ObstacleBoxes::Columns::clear() {
-  for (std::vector<float>* column : {&x, &y, &half_x, &half_y, &radius}) column->clear();
+void ObstacleBoxes::Block::set(std::size_t lane, const Vec2& low, const Vec2& high, double radius_m) {
+  x[lane] = static_cast<float>(0.5 * (low.x() + high.x()));
+  y[lane] = static_cast<float>(0.5 * (low.y() + high.y()));
+  half_x[lane] = static_cast<float>(0.5 * (high.x() - low.x()));
+  half_y[lane] = static_cast<float>(0.5 * (high.y() - low.y()));
+  radius[lane] = static_cast<float>(radius_m);
 }
 
-void ObstacleBoxes::Columns::add(const Vec2& low, const Vec2& high, double radius_m) {
-  const Vec2 centre = 0.5 * (low + high);
-  const Vec2 half = 0.5 * (high - low);
-  x.push_back(static_cast<float>(centre.x()));
-  y.push_back(static_cast<float>(centre.y()));
-  half_x.push_back(static_cast<float>(half.x()));
-  half_y.push_back(static_cast<float>(half.y()));
-  radius.push_back(static_cast<float>(radius_m));
-}
-
-void ObstacleBoxes::Columns::pad() {
-  const std::size_t size = (x.size() + Lanes::size() - 1) / Lanes::size() * Lanes::size();
-  for (std::vector<float>* column : {&x, &y, &half_x, &half_y}) column->resize(size, 0.0F);
-  radius.resize(size, kNever);
-}
-
-ObstacleBoxes::Sweep::Sweep(const Vec2& from, const Vec2& to, double radius_m) {
-  const Vec2 along = to - from;
-  const Vec2 middle = from + 0.5 * along;
-  const double length = along.norm();
-  const Vec2 unit = length > 0.0 ? Vec2(along / length) : Vec2::Zero();
-  x = static_cast<float>(middle.x());
-  y = static_cast<float>(middle.y());
-  half_x = static_cast<float>(0.5 * std::abs(along.x()));
-  half_y = static_cast<float>(0.5 * std::abs(along.y()));
-  along_x = static_cast<float>(unit.x());
-  along_y = static_cast<float>(unit.y());
-  across_x = static_cast<float>(std::abs(unit.y()));
-  across_y = static_cast<float>(std::abs(unit.x()));
-  radius = static_cast<float>(radius_m);
+void ObstacleBoxes::Block::pad(std::size_t lane) {
+  x[lane] = y[lane] = half_x[lane] = half_y[lane] = 0.0F;
+  radius[lane] = kNever;
 }
 
 void ObstacleBoxes::assign(std::span<const Obstacle> obstacles) {
-  boxes_.clear();
-  groups_.clear();
-  index_.clear();
   extent_m_ = 0.0;
   for (const Obstacle& obstacle : obstacles) {
-    const Vec2 reach = obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs());
-    extent_m_ = std::max(extent_m_, reach.maxCoeff() + obstacle.radius_m);
+    const double reach_m = std::max(
+        {std::abs(obstacle.a.x()), std::abs(obstacle.a.y()), std::abs(obstacle.b.x()), std::abs(obstacle.b.y())});
+    extent_m_ = std::max(extent_m_, reach_m + obstacle.radius_m);
   }
+  groups_.clear();
+  index_.resize(obstacles.size());
+  blocks_.resize((obstacles.size() + kLanes - 1) / kLanes);
   if (obstacles.size() > kSmallField) {
-    assign_groups(obstacles);
+    sort_into_groups(obstacles);
   } else {
-    for (ObstacleIndex i = 0; i < obstacles.size(); ++i) index_.push_back(i);
+    for (ObstacleIndex i = 0; i < obstacles.size(); ++i) index_[i] = i;
   }
-  for (const ObstacleIndex i : index_) boxes_.add(low_of(obstacles[i]), high_of(obstacles[i]), obstacles[i].radius_m);
-  boxes_.pad();
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    const Obstacle& obstacle = obstacles[index_[i]];
+    blocks_[i / kLanes].set(i % kLanes, low_of(obstacle), high_of(obstacle), obstacle.radius_m);
+  }
+  for (std::size_t i = obstacles.size(); i < blocks_.size() * kLanes; ++i) blocks_[i / kLanes].pad(i % kLanes);
 }
 
-/// Sorts by the place of the centres on a Z-order curve (Morton), so that neighbours in the list are neighbours in the
-/// field.
-void ObstacleBoxes::assign_groups(std::span<const Obstacle> obstacles) {
+/// By the place of the centres on a Z-order curve (Morton), so that neighbours in the list are neighbours in the field.
+void ObstacleBoxes::sort_into_groups(std::span<const Obstacle> obstacles) {
   constexpr double kCells = 65535.0;
   const double scale = extent_m_ > 0.0 ? 0.5 * kCells / extent_m_ : 0.0;
   order_.clear();
@@ -90,18 +70,20 @@ void ObstacleBoxes::assign_groups(std::span<const Obstacle> obstacles) {
         spread(static_cast<std::uint64_t>(place.x())) | (spread(static_cast<std::uint64_t>(place.y())) << 1), i);
   }
   std::sort(order_.begin(), order_.end());
-  for (std::size_t begin = 0; begin < order_.size(); begin += kGroupSize) {
+  const std::size_t groups = (order_.size() + kGroupSize - 1) / kGroupSize;
+  groups_.resize((groups + kLanes - 1) / kLanes);
+  for (std::size_t group = 0; group < groups; ++group) {
     Vec2 low = Vec2::Constant(extent_m_);
     Vec2 high = -low;
-    for (std::size_t i = begin; i < std::min(begin + kGroupSize, order_.size()); ++i) {
-      const Obstacle& obstacle = obstacles[order_[i].second];
+    for (std::size_t i = group * kGroupSize; i < std::min((group + 1) * kGroupSize, order_.size()); ++i) {
+      index_[i] = order_[i].second;
+      const Obstacle& obstacle = obstacles[index_[i]];
       low = low.cwiseMin(low_of(obstacle) - Vec2::Constant(obstacle.radius_m));
       high = high.cwiseMax(high_of(obstacle) + Vec2::Constant(obstacle.radius_m));
-      index_.push_back(order_[i].second);
     }
-    groups_.add(low, high, 0.0);
+    groups_[group / kLanes].set(group % kLanes, low, high, 0.0);
   }
-  groups_.pad();
+  for (std::size_t i = groups; i < groups_.size() * kLanes; ++i) groups_[i / kLanes].pad(i % kLanes);
 }
 
 }  // namespace regista

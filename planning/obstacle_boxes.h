@@ -3,6 +3,8 @@
 // each, so that a short sweep looks into few of them.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <experimental/simd>
@@ -29,57 +31,73 @@ class ObstacleBoxes {
 
  private:
   using Lanes = std::experimental::native_simd<float>;
+  static constexpr std::size_t kLanes = Lanes::size();
   static constexpr std::size_t kGroupSize = 16;
 
-  /// Boxes grown by a radius, padded to whole vectors with boxes that nothing meets.
-  struct Columns {
-    std::vector<float> x, y, half_x, half_y, radius;
-    void clear();
-    void add(const Vec2& low, const Vec2& high, double radius_m);
-    void pad();
+  /// As many boxes as there are lanes, each grown by a radius.
+  struct alignas(sizeof(float) * kLanes) Block {
+    std::array<float, kLanes> x, y, half_x, half_y, radius;
+    void set(std::size_t lane, const Vec2& low, const Vec2& high, double radius_m);
+    void pad(std::size_t lane);
   };
 
   /// The segment as all lanes see it.
   struct Sweep {
-    Lanes x, y, half_x, half_y;  ///< of its box
+    Lanes x, y, half_x, half_y;  ///< of its box, which is grown by the sweep's radius
     Lanes along_x, along_y;      ///< unit vector, or zero
     Lanes across_x, across_y;    ///< magnitudes of the unit vector across
     Lanes radius;
-    Sweep(const Vec2& from, const Vec2& to, double radius_m);
+
+    Sweep(const Vec2& from, const Vec2& to, double radius_m) {
+      const Vec2 along = to - from;
+      const double length = along.norm();
+      const double scale = length > 0.0 ? 1.0 / length : 0.0;
+      const auto unit_x = static_cast<float>(along.x() * scale);
+      const auto unit_y = static_cast<float>(along.y() * scale);
+      x = static_cast<float>(from.x() + 0.5 * along.x());
+      y = static_cast<float>(from.y() + 0.5 * along.y());
+      half_x = static_cast<float>(0.5 * std::abs(along.x()) + radius_m);
+      half_y = static_cast<float>(0.5 * std::abs(along.y()) + radius_m);
+      along_x = unit_x;
+      along_y = unit_y;
+      across_x = std::abs(unit_y);
+      across_y = std::abs(unit_x);
+      radius = static_cast<float>(radius_m);
+    }
   };
 
-  static Lanes load(const std::vector<float>& column, std::size_t i) {
-    return Lanes(&column[i], std::experimental::element_aligned);
+  static Lanes load(const std::array<float, kLanes>& column) {
+    return Lanes(column.data(), std::experimental::vector_aligned);
   }
 
-  /// Separated along x, along y, or across the segment; for a point as core the last is the exact distance to the line.
-  static unsigned hits(const Columns& columns, std::size_t i, const Sweep& sweep) {
+  /// Not separated along x, along y, or across the segment (for a point as core, exactly by its distance to the line).
+  static unsigned hits(const Block& block, const Sweep& sweep) {
     using std::experimental::abs;
-    const Lanes x = load(columns.x, i) - sweep.x;
-    const Lanes y = load(columns.y, i) - sweep.y;
-    const Lanes half_x = load(columns.half_x, i);
-    const Lanes half_y = load(columns.half_y, i);
-    const Lanes radius = load(columns.radius, i) + sweep.radius;
-    const auto hit =
-        abs(x) <= half_x + (radius + sweep.half_x) && abs(y) <= half_y + (radius + sweep.half_y) &&
-        abs(sweep.along_x * y - sweep.along_y * x) <= sweep.across_x * half_x + (sweep.across_y * half_y + radius);
+    const Lanes x = load(block.x) - sweep.x;
+    const Lanes y = load(block.y) - sweep.y;
+    const Lanes half_x = load(block.half_x);
+    const Lanes half_y = load(block.half_y);
+    const Lanes radius = load(block.radius);
+    const auto hit = abs(x) <= half_x + (radius + sweep.half_x) && abs(y) <= half_y + (radius + sweep.half_y) &&
+                     abs(sweep.along_x * y - sweep.along_y * x) <=
+                         sweep.across_x * half_x + (sweep.across_y * half_y + (radius + sweep.radius));
     return static_cast<unsigned>(hit.__to_bitset().to_ulong());
   }
 
   template <class Visit>
-  bool visit_boxes(std::size_t begin, std::size_t end, const Sweep& sweep, Visit& visit) const {
-    for (std::size_t i = begin; i < end; i += Lanes::size()) {
-      for (unsigned hit = hits(boxes_, i, sweep); hit != 0; hit &= hit - 1) {
-        if (visit(index_[i + static_cast<std::size_t>(std::countr_zero(hit))])) return true;
+  bool visit_blocks(std::size_t begin, std::size_t end, const Sweep& sweep, Visit& visit) const {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (unsigned hit = hits(blocks_[i], sweep); hit != 0; hit &= hit - 1) {
+        if (visit(index_[i * kLanes + static_cast<std::size_t>(std::countr_zero(hit))])) return true;
       }
     }
     return false;
   }
 
-  void assign_groups(std::span<const Obstacle> obstacles);
+  void sort_into_groups(std::span<const Obstacle> obstacles);
 
-  Columns boxes_;
-  Columns groups_;                                              ///< one for kGroupSize boxes; empty in a small field
+  std::vector<Block> blocks_;
+  std::vector<Block> groups_;                                   ///< a box for kGroupSize boxes; empty in a small field
   std::vector<ObstacleIndex> index_;                            ///< of the boxes' obstacles
   std::vector<std::pair<std::uint64_t, ObstacleIndex>> order_;  ///< scratch
   double extent_m_ = 0.0;                                       ///< no coordinate is larger
@@ -87,17 +105,19 @@ class ObstacleBoxes {
 
 template <class Visit>
 void ObstacleBoxes::visit_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const {
-  const double extent_m = std::max({extent_m_, from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff()});
+  const double extent_m =
+      std::max({extent_m_, std::abs(from.x()), std::abs(from.y()), std::abs(to.x()), std::abs(to.y())});
   // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
   const Sweep sweep(from, to, radius_m + 1e-6 * extent_m);
-  if (groups_.x.empty()) {
-    visit_boxes(0, boxes_.x.size(), sweep, visit);
+  if (groups_.empty()) {
+    visit_blocks(0, blocks_.size(), sweep, visit);
     return;
   }
-  for (std::size_t i = 0; i < groups_.x.size(); i += Lanes::size()) {
-    for (unsigned hit = hits(groups_, i, sweep); hit != 0; hit &= hit - 1) {
-      const std::size_t begin = (i + static_cast<std::size_t>(std::countr_zero(hit))) * kGroupSize;
-      if (visit_boxes(begin, std::min(begin + kGroupSize, boxes_.x.size()), sweep, visit)) return;
+  constexpr std::size_t kBlocks = kGroupSize / kLanes;
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    for (unsigned hit = hits(groups_[i], sweep); hit != 0; hit &= hit - 1) {
+      const std::size_t begin = (i * kLanes + static_cast<std::size_t>(std::countr_zero(hit))) * kBlocks;
+      if (visit_blocks(begin, std::min(begin + kBlocks, blocks_.size()), sweep, visit)) return;
     }
   }
 }

@@ -8,18 +8,13 @@ namespace {
 
 std::string text(const Vec2& v) { return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ")"; }
 
-bool is_usable(const Obstacle& obstacle) {
-  return is_valid(obstacle) && obstacle.a.cwiseAbs().maxCoeff() <= kLargest_m &&
-         obstacle.b.cwiseAbs().maxCoeff() <= kLargest_m && obstacle.radius_m <= kLargest_m;
-}
-
 void check(const Bounds& bounds, std::span<const Obstacle> obstacles) {
   if (!is_finite(bounds.half_extent_m) || bounds.half_extent_m.minCoeff() < 0.0) {
     throw std::invalid_argument("bounds must be finite and not negative, not " + text(bounds.half_extent_m) + " m");
   }
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Obstacle& obstacle = obstacles[i];
-    if (is_usable(obstacle)) continue;
+    if (is_valid(obstacle)) continue;
     throw std::invalid_argument("obstacle " + std::to_string(i) + " must be within " + std::to_string(kLargest_m) +
                                 " m with a radius >= 0, not " + text(obstacle.a) + " " + text(obstacle.b) + " radius " +
                                 std::to_string(obstacle.radius_m) + " m");

@@ -66,6 +66,21 @@ class ObstacleField {
   /// Appends all obstacles that cover the point to `out`.
   void covering(const Vec2& point, std::vector<ObstacleIndex>& out) const { blockers(point, point, out); }
 
+  /// Calls visit(index) for all obstacles that block the segment and for some that do not, until it returns true.
+  template <class Visit>
+  void visit_candidates(const Vec2& from, const Vec2& to, Visit&& visit) const {
+    boxes_.visit_near(from, to, 0.0, visit);
+  }
+
+  /// Calls visit(index) for all obstacles within radius_m of the point and for some that are farther.
+  template <class Visit>
+  void maybe_within(const Vec2& point, double radius_m, Visit&& visit) const {
+    boxes_.visit_near(point, point, radius_m, [&](ObstacleIndex i) {
+      visit(i);
+      return false;
+    });
+  }
+
   /// Appends all obstacles that may come nearer than `margin_m` to the given one of the field, itself left out: none
   /// that does is missing, some may be farther.
   void maybe_near(ObstacleIndex obstacle, double margin_m, std::vector<ObstacleIndex>& out) const;

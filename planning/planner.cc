@@ -1,8 +1,7 @@
 #include "planning/planner.h"
 
+#include <algorithm>
 #include <stdexcept>
-
-#include "planning/goal_adjustment.h"
 
 namespace regista {
 namespace {
@@ -65,6 +64,13 @@ void refuse(Plan& answer, PlanStatus status, const char* reason) {
 
 }  // namespace
 
+void Planner::find_blockers(const ObstacleField& field, const Vec2& from, const Vec2& to,
+                            std::span<const std::size_t> ignored) {
+  blockers_.clear();
+  field.blockers(from, to, blockers_);
+  if (!ignored.empty()) std::erase_if(blockers_, [&](ObstacleIndex i) { return is_ignored(i, ignored); });
+}
+
 void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& answer) {
   const ObstacleField& field = graph.field();
   check(request, field.size());
@@ -72,19 +78,26 @@ void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& 
   answer.reason.clear();
   answer.length_m = 0.0;
   answer.start_moved = answer.goal_moved = false;
-  const bool is_straight_free = field.is_free(request.start, request.goal, request.ignored);
-  const std::optional<Vec2> start = is_straight_free ? request.start : way_out(field, request.start, request.ignored);
+  find_blockers(field, request.start, request.goal, request.ignored);
+  // What covers an end blocks the line as well.
+  const auto is_free_end = [&](const Vec2& end) {
+    return is_inside(end, field.bounds()) && std::all_of(blockers_.begin(), blockers_.end(), [&](ObstacleIndex i) {
+             return is_free(end, field.obstacles()[i]);
+           });
+  };
+  const std::optional<Vec2> start =
+      is_free_end(request.start) ? request.start : adjustment_.way_out(field, request.start, request.ignored);
   if (!start) return refuse(answer, PlanStatus::unreachable, "the start is covered and there is no straight way out");
   const std::optional<Vec2> goal =
-      is_straight_free ? request.goal : nearest_free_point(field, request.goal, request.ignored);
+      is_free_end(request.goal) ? request.goal : adjustment_.nearest_free_point(field, request.goal, request.ignored);
   if (!goal) return refuse(answer, PlanStatus::unreachable, "there is no free point for the goal");
   answer.start_moved = *start != request.start;
   answer.goal_moved = *goal != request.goal;
+  if (answer.start_moved || answer.goal_moved) find_blockers(field, *start, *goal, request.ignored);
 
-  Query query{*start, *goal, request.ignored, request.seed, request.budget, request.previous_path, is_straight_free};
-  if (answer.start_moved || answer.goal_moved) {
-    query.is_straight_free = field.is_free(query.start, query.goal, query.ignored);
-  }
+  const Query query{
+      *start,           *goal, request.ignored, request.seed, request.budget, request.previous_path, blockers_,
+      blockers_.empty()};
   result_.status = PlanStatus::not_found;
   result_.path.clear();
   result_.reason.clear();

@@ -2,6 +2,7 @@
 // checks what goes in and what comes out; a new planner writes `search` and is named in registry.cc.
 #pragma once
 
+#include "planning/goal_adjustment.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/plan.h"
 #include "planning/request.h"
@@ -49,6 +50,11 @@ class Planner {
   virtual void search(graph::SharedGraph& graph, const Query& query, SearchResult& result) = 0;
 
  private:
+  void find_blockers(const ObstacleField& field, const Vec2& from, const Vec2& to,
+                     std::span<const std::size_t> ignored);
+
+  GoalAdjustment adjustment_;  ///< scratch, as all of these
+  std::vector<ObstacleIndex> blockers_;
   SearchResult result_;
 };
 

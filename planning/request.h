@@ -36,7 +36,10 @@ struct Query {
   std::uint64_t seed = 1;
   Budget budget;
   std::span<const Vec2> previous_path;
-  bool is_straight_free = false;  ///< the segment from start to goal is free
+  /// What blocks the segment from start to goal, ignored obstacles left out; empty and is_straight_free: nothing does,
+  /// empty and not: nobody has asked.
+  std::span<const std::uint32_t> straight_blockers = {};
+  bool is_straight_free = false;
 };
 
 }  // namespace regista

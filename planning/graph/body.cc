@@ -62,21 +62,20 @@ Body body_of(const Obstacle& obstacle) {
   return body;
 }
 
-Place place_on_arc(const Body& body, std::uint32_t corner, const Vec2& normal) {
-  Place place{body.corners[corner] + body.radius_m * normal, normal, 0.0, corner};
-  place.order = body.count == 1 ? diamond(normal.x(), normal.y()) : 2.0 * corner + share_of_arc(body, corner, normal);
-  return place;
+double order_of(const Body& body, const Place& place) {
+  if (body.count == 1) return diamond(place.normal.x(), place.normal.y());
+  return 2.0 * place.corner + share_of_arc(body, place.corner, place.normal);
 }
 
-Place place_of(const Body& body, const Vec2& point) {
+double order_of(const Body& body, const Vec2& point) {
   // Nearest point of the core: on a side where the foot lies within it, else a corner.
   for (std::uint32_t i = 0; body.count > 1 && i < body.count; ++i) {
     const Vec2& normal = body.begin_normals[(i + 1) % body.count];
     const Vec2 from_corner = point - body.corners[i];
     const double along = from_corner.dot(turned_left(normal)) / body.side_lengths[i];
-    if (along <= 0.0 || along >= 1.0 || from_corner.dot(normal) < 0.5 * body.radius_m - 1e-6) continue;
-    if (body.count == 2 && from_corner.dot(normal) < 0.0) continue;
-    return {point, normal, 2.0 * i + 1.0 + along, i};
+    constexpr double kRounding_m = 1e-6;
+    if (along <= 0.0 || along >= 1.0 || from_corner.dot(normal) < body.radius_m - kRounding_m) continue;
+    return 2.0 * i + 1.0 + along;
   }
   std::uint32_t nearest = 0;
   for (std::uint32_t i = 1; i < body.count; ++i) {
@@ -84,35 +83,33 @@ Place place_of(const Body& body, const Vec2& point) {
   }
   const Vec2 outwards = point - body.corners[nearest];
   const double distance = outwards.norm();
-  const Vec2 normal = distance > 0.0 ? Vec2(outwards / distance) : Vec2(1.0, 0.0);
-  Place place = place_on_arc(body, nearest, normal);
-  place.point = point;
-  return place;
+  return order_of(body, {point, distance > 0.0 ? Vec2(outwards / distance) : Vec2(1.0, 0.0), nearest});
 }
 
-Place place_between(const Body& body, double from_order, double to_order) {
+Vec2 point_between(const Body& body, double from_order, double to_order) {
   double order = from_order + 0.5 * ahead(body, from_order, to_order, 1.0);
   if (order >= body.period) order -= body.period;
-  if (body.count == 1) return place_on_arc(body, 0, from_diamond(order));
+  if (body.count == 1) return place_on_arc(body, 0, from_diamond(order)).point;
   const auto piece = static_cast<std::uint32_t>(order);
   const std::uint32_t corner = piece / 2;
   const double share = order - piece;
   if (piece % 2 == 0) {
     const Vec2 local = from_diamond(body.count == 2 ? 2.0 * share : share);
     const Vec2& begin = body.begin_normals[corner];
-    return place_on_arc(body, corner, local.x() * begin + local.y() * turned_left(begin));
+    return place_on_arc(body, corner, local.x() * begin + local.y() * turned_left(begin)).point;
   }
   const std::uint32_t next = (corner + 1) % body.count;
-  const Vec2& normal = body.begin_normals[next];
   const Vec2 foot = body.corners[corner] + share * (body.corners[next] - body.corners[corner]);
-  return {foot + body.radius_m * normal, normal, order, corner};
+  return foot + body.radius_m * body.begin_normals[next];
 }
 
 double travel_m(const Body& body, const Place& from, const Place& to, double side) {
   double turn_rad = turn(from.normal, to.normal, side);
   if (body.count == 1) return body.radius_m * turn_rad;
   // More than half way round on a turn of nothing: along a side, all of it but the side by rounding.
-  if (turn_rad < 1.0 && ahead(body, from.order, to.order, side) > 0.5 * body.period) turn_rad += 2.0 * std::numbers::pi;
+  if (turn_rad < kNoTurn_rad && ahead(body, order_of(body, from), order_of(body, to), side) > 0.5 * body.period) {
+    turn_rad += 2.0 * std::numbers::pi;
+  }
   double length_m = body.radius_m * turn_rad;
   // Sides are passed from corner to corner; on one corner's arc backwards, all of them.
   const bool is_forwards = side > 0.0;

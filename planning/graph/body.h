@@ -10,12 +10,11 @@
 
 namespace regista::graph {
 
-/// A point of a boundary. `order` grows counter-clockwise in [0, Body::period); only comparisons mean something.
+/// A point of a boundary, on the arc of one of its corners.
 struct Place {
   Vec2 point = Vec2::Zero();
   Vec2 normal = Vec2::Zero();  ///< unit, outwards
-  double order = 0.0;
-  std::uint32_t corner = 0;  ///< whose arc it is on; on a side, the corner where the side begins
+  std::uint32_t corner = 0;
 };
 
 struct Body {
@@ -40,13 +39,18 @@ inline std::uint32_t extreme_corner(const Body& body, const Vec2& normal) {
 }
 
 /// The place on the arc of `corner` with that normal, which must be one of the arc's.
-Place place_on_arc(const Body& body, std::uint32_t corner, const Vec2& normal);
+inline Place place_on_arc(const Body& body, std::uint32_t corner, const Vec2& normal) {
+  return {body.corners[corner] + body.radius_m * normal, normal, corner};
+}
 
-/// The place of a point that lies on the boundary (to rounding).
-Place place_of(const Body& body, const Vec2& point);
+/// The order of boundary points: grows counter-clockwise in [0, Body::period); only comparisons mean something.
+double order_of(const Body& body, const Place& place);
 
-/// The place half way, in order, counter-clockwise from one place to the other.
-Place place_between(const Body& body, double from_order, double to_order);
+/// The same for any point that lies on the boundary (to rounding), sides included.
+double order_of(const Body& body, const Vec2& point);
+
+/// The boundary's point half way, in order, counter-clockwise from one to the other.
+Vec2 point_between(const Body& body, double from_order, double to_order);
 
 /// How far `to` lies ahead of `from` in order, going round on that side; in [0, period). Behind by rounding is 0.
 inline double ahead(const Body& body, double from, double to, double side) {

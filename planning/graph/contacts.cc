@@ -16,6 +16,13 @@ double over_bounds(const Obstacle& obstacle, const Bounds& bounds) {
   return (obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs()) - bounds.half_extent_m).maxCoeff() + obstacle.radius_m;
 }
 
+/// Surely all of the other lies inside.
+bool holds(const Obstacle& obstacle, const Obstacle& other) {
+  if (obstacle.core != Core::rectangle || other.radius_m > obstacle.radius_m) return false;
+  return (other.a.cwiseMin(other.b).array() >= obstacle.a.array()).all() &&
+         (other.a.cwiseMax(other.b).array() <= obstacle.b.array()).all();
+}
+
 }  // namespace
 
 void Contacts::reset(std::size_t obstacles) {
@@ -46,6 +53,8 @@ void Contacts::find(const ObstacleField& field, ObstacleIndex index, const Body&
     if (gap_m >= brush_m) continue;
     if (gap_m > -kTouch_m) {
       brushes_.push_back(other);
+    } else if (holds(obstacle, neighbour)) {
+      continue;
     } else if (body.count == 1 && neighbour.core == Core::point) {
       add_disc(obstacle, neighbour, other);
     } else {
@@ -79,8 +88,8 @@ void Contacts::add_disc(const Obstacle& disc, const Obstacle& other, ObstacleInd
   body.corners[0] = disc.a;
   body.count = 1;
   body.radius_m = r;
-  cuts_.push_back(
-      {place_on_arc(body, 0, along - across).order, place_on_arc(body, 0, along + across).order, index, false});
+  cuts_.push_back({order_of(body, place_on_arc(body, 0, along - across)),
+                   order_of(body, place_on_arc(body, 0, along + across)), index, false});
 }
 
 void Contacts::add_outline(const Obstacle& obstacle, const Body& body, const Obstacle& other, ObstacleIndex index) {
@@ -104,10 +113,10 @@ void Contacts::add_bounds(const Obstacle& obstacle, const Body& body, const Boun
 template <class IsCovered>
 void Contacts::add_cuts(const Body& body, ObstacleIndex index, const IsCovered& is_covered) {
   orders_.clear();
-  for (const Vec2& point : points_) orders_.push_back(place_of(body, point).order);
+  for (const Vec2& point : points_) orders_.push_back(order_of(body, point));
   std::sort(orders_.begin(), orders_.end());
   if (orders_.empty()) {
-    if (is_covered(place_between(body, 0.0, 0.5).point)) cuts_.push_back({0.0, 0.0, index, true});
+    if (is_covered(point_between(body, 0.0, 0.5))) cuts_.push_back({0.0, 0.0, index, true});
     return;
   }
   for (std::size_t i = 0; i < orders_.size(); ++i) {
@@ -116,8 +125,8 @@ void Contacts::add_cuts(const Body& body, ObstacleIndex index, const IsCovered& 
     const bool goes_round = i + 1 == orders_.size();
     if (from == to && !goes_round) continue;
     // A single point: the whole way round back to it.
-    const Place middle = from == to ? place_between(body, 0.0, 0.5) : place_between(body, from, to);
-    if (is_covered(middle.point)) cuts_.push_back({from, to, index, from == to});
+    const Vec2 middle = from == to ? point_between(body, 0.0, 0.5) : point_between(body, from, to);
+    if (is_covered(middle)) cuts_.push_back({from, to, index, from == to});
   }
 }
 

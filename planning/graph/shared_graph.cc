@@ -16,6 +16,12 @@ void SharedGraph::reset(ObstacleField field) {
 
 void SharedGraph::forget() {
   contacts_.reset(field_.size());
+  edges_.clear();
+  arena_.clear();
+  sampled_.clear();
+}
+
+void SharedGraph::number_samples() {
   sampled_.assign(field_.size(), Sampled{});
   NodeId next = 0;
   for (std::size_t i = 0; i < field_.size(); ++i) {
@@ -23,11 +29,10 @@ void SharedGraph::forget() {
     next += static_cast<NodeId>(samples_max(field_.obstacles()[i]));
   }
   nodes_.assign(next, Node{});
-  edges_.clear();
-  arena_.clear();
 }
 
 SharedGraph::Samples SharedGraph::samples(ObstacleIndex obstacle) {
+  if (sampled_.empty()) number_samples();
   Sampled& sampled = sampled_[obstacle];
   if (!sampled.known) {
     scratch_.clear();

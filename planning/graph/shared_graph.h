@@ -68,11 +68,12 @@ class SharedGraph {
   }
 
   void forget();
+  void number_samples();
 
   ObstacleField field_;
   Contacts contacts_;
-  std::vector<Sampled> sampled_;  ///< by obstacle
-  std::vector<Node> nodes_;       ///< by NodeId
+  std::vector<Sampled> sampled_;  ///< by obstacle; empty until samples are asked for
+  std::vector<Node> nodes_;       ///< by NodeId, likewise
   EdgeMemo edges_;
   std::vector<ObstacleIndex> arena_;  ///< all lists of blockers, one after the other
   std::vector<Vec2> scratch_;

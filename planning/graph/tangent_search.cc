@@ -18,6 +18,9 @@ constexpr int kLegsPerTimeCheck = 64;
 /// A place counts as not beyond another (in order).
 constexpr double kSamePlace = 1e-9;
 
+/// Costs that differ by less are equal. Metres.
+constexpr double kRounding_m = 1e-12;
+
 double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 
 }  // namespace
@@ -62,6 +65,7 @@ TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, s
 
 void TangentSearch::clear(SharedGraph& graph, const Query& query) {
   query_ = query;
+  start_ = body_of(query.start);
   goal_ = body_of(query.goal);
   slots_.clear();
   active_.clear();
@@ -77,7 +81,12 @@ void TangentSearch::clear(SharedGraph& graph, const Query& query) {
   start.reach = std::numeric_limits<double>::infinity();
   legs_.push_back(start);
   expanded_.push_back(kStart);
-  depart(kStart, goal_, 1.0, kGoalState);
+  if (query.straight_blockers.empty()) {
+    depart(kStart, goal_, 1.0, kGoalState);
+  } else {
+    pend_deepest(graph.field(), query.start, query.goal, query.straight_blockers);
+    activate_pending(graph);
+  }
 }
 
 bool TangentSearch::later(const Queued& a, const Queued& b) {
@@ -86,43 +95,35 @@ bool TangentSearch::later(const Queued& a, const Queued& b) {
 
 /// Queues all departures from where the leg arrives; false when an earlier arrival has made them all.
 bool TangentSearch::expand(SharedGraph& graph, LegIndex index) {
-  {
-    const Leg& leg = legs_[index];
-    const Body& body = slots_[leg.state / 2].body;
-    const double side = side_of(leg.state);
-    for (LegIndex other = expanded_here_[leg.state]; other != kNone; other = legs_[other].next_here) {
-      const Leg& earlier = legs_[other];
-      if (ahead(body, earlier.to.order, leg.to.order, side) > earlier.reach + kSamePlace) continue;
-      if (earlier.cost + travel_m(body, earlier.to, leg.to, side) <= leg.cost + 1e-12) return false;
-    }
-  }
-  ObstacleIndex stopped_by = kBounds;
-  const double reach = reach_of(graph, legs_[index], stopped_by);
-  legs_[index].reach = reach;
-  legs_[index].next_here = expanded_here_[legs_[index].state];
-  expanded_here_[legs_[index].state] = index;
-  expanded_.push_back(index);
-  if (stopped_by != kBounds && is_active_[stopped_by] == 0) pending_.push_back(stopped_by);
-  const auto slots = static_cast<State>(slots_.size());
-  for (State slot = 0; slot < slots; ++slot) depart_to_slot(index, slot);
-  depart(index, goal_, 1.0, kGoalState);
-  return true;
-}
-
-/// How far a path can go on along the boundary from the leg's end, in order; and what stops it there (kBounds: nothing
-/// that could be gone round).
-double TangentSearch::reach_of(SharedGraph& graph, const Leg& leg, ObstacleIndex& stopped_by) {
+  Leg& leg = legs_[index];
   const Slot& slot = slots_[leg.state / 2];
   const double side = side_of(leg.state);
-  double reach = slot.body.period;
-  for (const Cut& cut : graph.contacts(slot.obstacle, slot.body).cuts) {
+  const std::span<const Cut> cuts = graph.contacts(slot.obstacle, slot.body).cuts;
+  LegIndex& here = expanded_here_[leg.state];
+  if (!cuts.empty() || here != kNone) leg.order = order_of(slot.body, leg.to);
+  for (LegIndex other = here; other != kNone; other = legs_[other].next_here) {
+    const Leg& earlier = legs_[other];
+    if (earlier.cost + travel_m(slot.body, earlier.to, leg.to, side) > leg.cost + kRounding_m) continue;
+    const double order = earlier.reach < slot.body.period ? earlier.order : order_of(slot.body, earlier.to);
+    if (ahead(slot.body, order, leg.order, side) <= earlier.reach + kSamePlace) return false;
+  }
+  leg.reach = slot.body.period;
+  ObstacleIndex stopped_by = kBounds;
+  for (const Cut& cut : cuts) {
     if (cut.other != kBounds && is_ignored(cut.other, query_.ignored)) continue;
-    const double distance = cut.is_whole ? 0.0 : ahead(slot.body, leg.to.order, side > 0.0 ? cut.from : cut.to, side);
-    if (distance >= reach) continue;
-    reach = distance;
+    const double distance = cut.is_whole ? 0.0 : ahead(slot.body, leg.order, side > 0.0 ? cut.from : cut.to, side);
+    if (distance >= leg.reach) continue;
+    leg.reach = distance;
     stopped_by = cut.other;
   }
-  return reach;
+  if (stopped_by != kBounds && is_active_[stopped_by] == 0) pending_.push_back(stopped_by);
+  leg.next_here = here;
+  here = index;
+  expanded_.push_back(index);
+  const auto slots = static_cast<State>(slots_.size());
+  for (State other = 0; other < slots; ++other) depart_to_slot(index, other);
+  depart(index, goal_, 1.0, kGoalState);
+  return true;
 }
 
 void TangentSearch::depart_to_slot(LegIndex index, State slot) {
@@ -134,43 +135,62 @@ void TangentSearch::depart_to_slot(LegIndex index, State slot) {
 void TangentSearch::depart(LegIndex index, const Body& to, double to_side, State state) {
   const Leg& leg = legs_[index];
   const bool is_start = leg.state == kStartState;
-  const Body start = is_start ? body_of(leg.to.point) : Body{};
-  const Body& from = is_start ? start : slots_[leg.state / 2].body;
+  const Body& from = is_start ? start_ : slots_[leg.state / 2].body;
   const double side = is_start ? 1.0 : side_of(leg.state);
-  const Place arrival = leg.to;
-  const double reach = leg.reach;
-  const double cost = leg.cost;
+  const bool is_cut = !is_start && leg.reach < from.period;
   for_tangents(from, side, to, to_side, [&](const Tangent& tangent) {
+    const Leg& arrival = legs_[index];
     double along_m = 0.0;
     if (!is_start) {
-      if (ahead(from, arrival.order, tangent.from.order, side) > reach + kSamePlace) return;
-      along_m = travel_m(from, arrival, tangent.from, side);
+      if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
+      along_m = travel_m(from, arrival.to, tangent.from, side);
     }
-    Leg next;
-    next.from = tangent.from;
-    next.to = tangent.to;
-    next.cost = cost + along_m + tangent.length_m;
-    next.parent = index;
-    next.state = state;
-    next.next_here = kNone;
-    legs_.push_back(next);
-    queue_.push_back({next.cost + (goal_.corners[0] - next.to.point).norm(), static_cast<LegIndex>(legs_.size() - 1)});
+    const double cost = arrival.cost + along_m + tangent.length_m;
+    queue_.push_back({cost + (goal_.corners[0] - tangent.to.point).norm(), static_cast<LegIndex>(legs_.size())});
     std::push_heap(queue_.begin(), queue_.end(), later);
+    legs_.push_back({tangent.from, tangent.to, cost, 0.0, 0.0, index, state, kNone});
   });
+}
+
+/// The obstacle that a leg with this state touches; kBounds for the ends.
+ObstacleIndex TangentSearch::body_at(State state) const {
+  return state / 2 < slots_.size() ? slots_[state / 2].obstacle : kBounds;
 }
 
 /// Nothing blocks the leg; else what does is active or will be.
 bool TangentSearch::is_open(SharedGraph& graph, const Leg& leg) {
-  if (!is_inside(leg.to.point, graph.field().bounds())) return false;
+  const ObstacleField& field = graph.field();
+  if (!is_inside(leg.to.point, field.bounds())) return false;
+  // Both ends' bodies are touched, not crossed.
+  const ObstacleIndex from = body_at(legs_[leg.parent].state);
+  const ObstacleIndex to = body_at(leg.state);
   blockers_.clear();
-  graph.field().blockers(leg.from.point, leg.to.point, blockers_);
-  bool is_free = true;
-  for (const ObstacleIndex blocker : blockers_) {
-    if (is_ignored(blocker, query_.ignored)) continue;
-    is_free = false;
-    if (is_active_[blocker] == 0) pending_.push_back(blocker);
+  bool is_blocked = false;
+  field.visit_candidates(leg.from.point, leg.to.point, [&](ObstacleIndex i) {
+    if (i == from || i == to || is_ignored(i, query_.ignored)) return false;
+    if (regista::is_free(leg.from.point, leg.to.point, field.obstacles()[i])) return false;
+    is_blocked = is_active_[i] != 0;
+    blockers_.push_back(i);
+    return is_blocked;
+  });
+  if (!is_blocked) pend_deepest(field, leg.from.point, leg.to.point, blockers_);
+  return blockers_.empty();
+}
+
+/// One of them is enough to drop a leg; the one that is crossed deepest is the one most worth going round.
+void TangentSearch::pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
+                                 std::span<const ObstacleIndex> blockers) {
+  if (blockers.empty()) return;
+  ObstacleIndex deepest = blockers.front();
+  double least_m = 0.0;
+  for (const ObstacleIndex i : blockers) {
+    if (blockers.size() == 1) break;
+    const double clearance_m = clearance(from, to, field.obstacles()[i]);
+    if (clearance_m >= least_m) continue;
+    least_m = clearance_m;
+    deepest = i;
   }
-  return is_free;
+  pending_.push_back(deepest);
 }
 
 void TangentSearch::activate(SharedGraph& graph, ObstacleIndex obstacle) {

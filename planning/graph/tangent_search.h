@@ -40,8 +40,10 @@ class TangentSearch {
   };
   struct Leg {
     Place from, to;
-    double cost = 0.0;   ///< length from the start to the leg's end
-    double reach = 0.0;  ///< once expanded: how far ahead (in order) departures were made
+    double cost = 0.0;  ///< length from the start to the leg's end
+    /// Once expanded: how far ahead (in order) a path can go on, and, where not all round, the order of the end.
+    double reach = 0.0;
+    double order = 0.0;
     LegIndex parent = 0;
     State state = 0;         ///< where it arrives
     LegIndex next_here = 0;  ///< another expanded leg that arrives at this state
@@ -53,10 +55,12 @@ class TangentSearch {
 
   void clear(SharedGraph& graph, const Query& query);
   bool expand(SharedGraph& graph, LegIndex leg);
-  double reach_of(SharedGraph& graph, const Leg& leg, ObstacleIndex& stopped_by);
   void depart_to_slot(LegIndex leg, State slot);
   void depart(LegIndex leg, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
+  ObstacleIndex body_at(State state) const;
+  void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
+                    std::span<const ObstacleIndex> blockers);
   void activate(SharedGraph& graph, ObstacleIndex obstacle);
   void activate_pending(SharedGraph& graph);
   void trace(SharedGraph& graph, LegIndex last, std::vector<Vec2>& path);
@@ -64,7 +68,7 @@ class TangentSearch {
   static bool later(const Queued& a, const Queued& b);
 
   Query query_;  ///< of the search that runs
-  Body goal_;
+  Body start_, goal_;
   std::vector<Slot> slots_;
   std::vector<ObstacleIndex> active_;
   std::vector<std::uint8_t> is_active_;  ///< by obstacle

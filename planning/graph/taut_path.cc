@@ -93,13 +93,13 @@ void append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, co
   const std::uint32_t step = is_forwards ? 1 : body.count - 1;
   // Behind on the same corner: all the way round.
   bool goes_round = body.count > 1 && arc.from.corner == arc.to.corner &&
-                    ahead(body, arc.from.order, arc.to.order, arc.side) > 0.5 * body.period;
+                    ahead(body, order_of(body, arc.from), order_of(body, arc.to), arc.side) > 0.5 * body.period;
   Arc rest = arc;
   for (std::uint32_t corner = arc.from.corner; corner != arc.to.corner || goes_round;
        corner = (corner + step) % body.count) {
     goes_round = false;
     const Vec2 end = body.begin_normals[is_forwards ? (corner + 1) % body.count : corner];
-    append_corner(graph, brushes, body, corner, {rest.from, {Vec2::Zero(), end, 0.0, corner}, arc.side}, path);
+    append_corner(graph, brushes, body, corner, {rest.from, {Vec2::Zero(), end, corner}, arc.side}, path);
     rest.from.normal = end;
   }
   append_corner(graph, brushes, body, arc.to.corner, rest, path);
