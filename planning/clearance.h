@@ -18,7 +18,21 @@ double clearance(const Vec2& from, const Vec2& to, const Obstacle& obstacle);
 
 inline bool is_free(const Vec2& point, const Obstacle& obstacle) { return clearance(point, obstacle) >= -kTouch_m; }
 
+/// The same for a disc, without root and quotient: the centre's distance to the segment, squared.
+inline bool is_free_of_disc(const Vec2& from, const Vec2& to, const Vec2& centre, double radius_m) {
+  const double least_m = std::max(radius_m - kTouch_m, 0.0);
+  const Vec2 along = to - from;
+  const Vec2 to_centre = centre - from;
+  const double foot = to_centre.dot(along);
+  if (foot <= 0.0) return to_centre.squaredNorm() >= least_m * least_m;
+  const double length2 = along.squaredNorm();
+  if (foot >= length2) return (centre - to).squaredNorm() >= least_m * least_m;
+  const double across = cross(along, to_centre);
+  return across * across >= least_m * least_m * length2;
+}
+
 inline bool is_free(const Vec2& from, const Vec2& to, const Obstacle& obstacle) {
+  if (obstacle.core == Core::point) return is_free_of_disc(from, to, obstacle.a, obstacle.radius_m);
   return clearance(from, to, obstacle) >= -kTouch_m;
 }
 

@@ -14,6 +14,12 @@ constexpr float kNever = -1e30F;
 Vec2 low_of(const Obstacle& obstacle) { return obstacle.a.cwiseMin(obstacle.b); }
 Vec2 high_of(const Obstacle& obstacle) { return obstacle.a.cwiseMax(obstacle.b); }
 
+/// No coordinate of it is larger.
+double reach_of(const Obstacle& obstacle) {
+  return obstacle.radius_m + std::max({std::abs(obstacle.a.x()), std::abs(obstacle.a.y()), std::abs(obstacle.b.x()),
+                                       std::abs(obstacle.b.y())});
+}
+
 /// The lower 16 bits, each moved to twice its place.
 std::uint64_t spread(std::uint64_t bits) {
   bits = (bits | (bits << 8)) & 0x00FF00FFU;
@@ -37,12 +43,28 @@ void ObstacleBoxes::Block::pad(std::size_t lane) {
   radius[lane] = kNever;
 }
 
+void ObstacleBoxes::clear() {
+  extent_m_ = 0.0;
+  groups_.clear();
+  index_.clear();
+  blocks_.clear();
+}
+
+void ObstacleBoxes::append(const Obstacle& obstacle, ObstacleIndex index) {
+  extent_m_ = std::max(extent_m_, reach_of(obstacle));
+  const std::size_t lane = index_.size() % kLanes;
+  if (lane == 0) {
+    blocks_.emplace_back();
+    for (std::size_t i = 0; i < kLanes; ++i) blocks_.back().pad(i);
+  }
+  blocks_.back().set(lane, low_of(obstacle), high_of(obstacle), obstacle.radius_m);
+  index_.push_back(index);
+}
+
 void ObstacleBoxes::assign(std::span<const Obstacle> obstacles) {
   extent_m_ = 0.0;
   for (const Obstacle& obstacle : obstacles) {
-    const double reach_m = std::max(
-        {std::abs(obstacle.a.x()), std::abs(obstacle.a.y()), std::abs(obstacle.b.x()), std::abs(obstacle.b.y())});
-    extent_m_ = std::max(extent_m_, reach_m + obstacle.radius_m);
+    extent_m_ = std::max(extent_m_, reach_of(obstacle));
   }
   groups_.clear();
   index_.resize(obstacles.size());

@@ -24,10 +24,28 @@ class ObstacleBoxes {
   /// In the memory of the old ones. Obstacles must be valid.
   void assign(std::span<const Obstacle> obstacles);
 
+  /// For a list that grows: one more, under an index of the caller's. Without groups, so for few.
+  void append(const Obstacle& obstacle, ObstacleIndex index);
+  void clear();
+
   /// Calls visit(index) for each obstacle that comes nearer than radius_m to the segment, and for some that do not,
   /// until visit returns true. The order is the same for the same obstacles.
   template <class Visit>
-  void visit_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const;
+  void visit_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const {
+    const Vec2 along = to - from;
+    const double length_m = along.norm();
+    visit_near({from, to, length_m > 0.0 ? Vec2(along / length_m) : Vec2::Zero(), radius_m}, visit);
+  }
+
+  /// The same for one who knows the direction.
+  struct Motion {
+    const Vec2& from;
+    const Vec2& to;
+    const Vec2& along;  ///< unit, or zero
+    double radius_m = 0.0;
+  };
+  template <class Visit>
+  void visit_near(const Motion& motion, Visit&& visit) const;
 
  private:
   using Lanes = std::experimental::native_simd<float>;
@@ -48,16 +66,14 @@ class ObstacleBoxes {
     Lanes across_x, across_y;    ///< magnitudes of the unit vector across
     Lanes radius;
 
-    Sweep(const Vec2& from, const Vec2& to, double radius_m) {
-      const Vec2 along = to - from;
-      const double length = along.norm();
-      const double scale = length > 0.0 ? 1.0 / length : 0.0;
-      const auto unit_x = static_cast<float>(along.x() * scale);
-      const auto unit_y = static_cast<float>(along.y() * scale);
-      x = static_cast<float>(from.x() + 0.5 * along.x());
-      y = static_cast<float>(from.y() + 0.5 * along.y());
-      half_x = static_cast<float>(0.5 * std::abs(along.x()) + radius_m);
-      half_y = static_cast<float>(0.5 * std::abs(along.y()) + radius_m);
+    Sweep(const Motion& motion, double radius_m) {
+      const Vec2 half = 0.5 * (motion.to - motion.from);
+      const auto unit_x = static_cast<float>(motion.along.x());
+      const auto unit_y = static_cast<float>(motion.along.y());
+      x = static_cast<float>(motion.from.x() + half.x());
+      y = static_cast<float>(motion.from.y() + half.y());
+      half_x = static_cast<float>(std::abs(half.x()) + radius_m);
+      half_y = static_cast<float>(std::abs(half.y()) + radius_m);
       along_x = unit_x;
       along_y = unit_y;
       across_x = std::abs(unit_y);
@@ -104,11 +120,11 @@ class ObstacleBoxes {
 };
 
 template <class Visit>
-void ObstacleBoxes::visit_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const {
-  const double extent_m =
-      std::max({extent_m_, std::abs(from.x()), std::abs(from.y()), std::abs(to.x()), std::abs(to.y())});
+void ObstacleBoxes::visit_near(const Motion& motion, Visit&& visit) const {
+  const double extent_m = std::max({extent_m_, std::abs(motion.from.x()), std::abs(motion.from.y()),
+                                    std::abs(motion.to.x()), std::abs(motion.to.y())});
   // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
-  const Sweep sweep(from, to, radius_m + 1e-6 * extent_m);
+  const Sweep sweep(motion, motion.radius_m + 1e-6 * extent_m);
   if (groups_.empty()) {
     visit_blocks(0, blocks_.size(), sweep, visit);
     return;

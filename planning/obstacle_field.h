@@ -68,8 +68,8 @@ class ObstacleField {
 
   /// Calls visit(index) for all obstacles that block the segment and for some that do not, until it returns true.
   template <class Visit>
-  void visit_candidates(const Vec2& from, const Vec2& to, Visit&& visit) const {
-    boxes_.visit_near(from, to, 0.0, visit);
+  void visit_candidates(const ObstacleBoxes::Motion& motion, Visit&& visit) const {
+    boxes_.visit_near(motion, visit);
   }
 
   /// Calls visit(index) for all obstacles within radius_m of the point and for some that are farther.

@@ -65,10 +65,12 @@ TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, s
 
 void TangentSearch::clear(SharedGraph& graph, const Query& query) {
   query_ = query;
+  field_ = &graph.field();
   start_ = body_of(query.start);
   goal_ = body_of(query.goal);
   slots_.clear();
   active_.clear();
+  active_boxes_.clear();
   is_active_.assign(graph.field().size(), 0);
   expanded_here_.clear();
   legs_.clear();
@@ -140,15 +142,14 @@ void TangentSearch::depart(LegIndex index, const Body& to, double to_side, State
   const bool is_cut = !is_start && leg.reach < from.period;
   for_tangents(from, side, to, to_side, [&](const Tangent& tangent) {
     const Leg& arrival = legs_[index];
-    double along_m = 0.0;
-    if (!is_start) {
-      if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
-      along_m = travel_m(from, arrival.to, tangent.from, side);
-    }
+    if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
+    if (!is_free_of_active(arrival.state, state, {tangent.from.point, tangent.to.point, tangent.along})) return;
+    const double along_m = is_start ? 0.0 : travel_m(from, arrival.to, tangent.from, side);
     const double cost = arrival.cost + along_m + tangent.length_m;
     queue_.push_back({cost + (goal_.corners[0] - tangent.to.point).norm(), static_cast<LegIndex>(legs_.size())});
     std::push_heap(queue_.begin(), queue_.end(), later);
-    legs_.push_back({tangent.from, tangent.to, cost, 0.0, 0.0, index, state, kNone});
+    legs_.push_back({tangent.from, tangent.to, tangent.along, cost, 0.0, 0.0, index, state, kNone,
+                     static_cast<std::uint32_t>(active_.size())});
   });
 }
 
@@ -157,23 +158,33 @@ ObstacleIndex TangentSearch::body_at(State state) const {
   return state / 2 < slots_.size() ? slots_[state / 2].obstacle : kBounds;
 }
 
+/// Both ends' bodies are touched, not crossed.
+bool TangentSearch::is_free_of_active(State from_state, State to_state, const ObstacleBoxes::Motion& motion) const {
+  const ObstacleIndex from = body_at(from_state);
+  const ObstacleIndex to = body_at(to_state);
+  bool is_blocked = false;
+  active_boxes_.visit_near(motion, [&](ObstacleIndex i) {
+    is_blocked = i != from && i != to && !is_free(motion.from, motion.to, field_->obstacles()[i]);
+    return is_blocked;
+  });
+  return !is_blocked;
+}
+
 /// Nothing blocks the leg; else what does is active or will be.
 bool TangentSearch::is_open(SharedGraph& graph, const Leg& leg) {
   const ObstacleField& field = graph.field();
   if (!is_inside(leg.to.point, field.bounds())) return false;
-  // Both ends' bodies are touched, not crossed.
-  const ObstacleIndex from = body_at(legs_[leg.parent].state);
-  const ObstacleIndex to = body_at(leg.state);
+  const ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
+  const bool is_news = leg.free_of < active_.size();
+  if (is_news && !is_free_of_active(legs_[leg.parent].state, leg.state, motion)) return false;
+  // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
-  bool is_blocked = false;
-  field.visit_candidates(leg.from.point, leg.to.point, [&](ObstacleIndex i) {
-    if (i == from || i == to || is_ignored(i, query_.ignored)) return false;
-    if (regista::is_free(leg.from.point, leg.to.point, field.obstacles()[i])) return false;
-    is_blocked = is_active_[i] != 0;
-    blockers_.push_back(i);
-    return is_blocked;
+  field.visit_candidates(motion, [&](ObstacleIndex i) {
+    if (is_active_[i] != 0 || is_ignored(i, query_.ignored)) return false;
+    if (!is_free(leg.from.point, leg.to.point, field.obstacles()[i])) blockers_.push_back(i);
+    return false;
   });
-  if (!is_blocked) pend_deepest(field, leg.from.point, leg.to.point, blockers_);
+  pend_deepest(field, leg.from.point, leg.to.point, blockers_);
   return blockers_.empty();
 }
 
@@ -196,6 +207,7 @@ void TangentSearch::pend_deepest(const ObstacleField& field, const Vec2& from, c
 void TangentSearch::activate(SharedGraph& graph, ObstacleIndex obstacle) {
   is_active_[obstacle] = 1;
   active_.push_back(obstacle);
+  active_boxes_.append(graph.field().obstacles()[obstacle], obstacle);
   slots_.push_back({body_of(graph.field().obstacles()[obstacle]), obstacle});
   expanded_here_.resize(2 * slots_.size(), kNone);
   const auto slot = static_cast<State>(slots_.size() - 1);

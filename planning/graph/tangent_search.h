@@ -40,13 +40,15 @@ class TangentSearch {
   };
   struct Leg {
     Place from, to;
-    double cost = 0.0;  ///< length from the start to the leg's end
+    Vec2 along = Vec2::Zero();  ///< unit
+    double cost = 0.0;          ///< length from the start to the leg's end
     /// Once expanded: how far ahead (in order) a path can go on, and, where not all round, the order of the end.
     double reach = 0.0;
     double order = 0.0;
     LegIndex parent = 0;
-    State state = 0;         ///< where it arrives
-    LegIndex next_here = 0;  ///< another expanded leg that arrives at this state
+    State state = 0;            ///< where it arrives
+    LegIndex next_here = 0;     ///< another expanded leg that arrives at this state
+    std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
   };
   struct Queued {
     double estimate;  ///< cost + straight line to the goal
@@ -58,6 +60,7 @@ class TangentSearch {
   void depart_to_slot(LegIndex leg, State slot);
   void depart(LegIndex leg, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
+  bool is_free_of_active(State from, State to, const ObstacleBoxes::Motion& motion) const;
   ObstacleIndex body_at(State state) const;
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
@@ -68,9 +71,11 @@ class TangentSearch {
   static bool later(const Queued& a, const Queued& b);
 
   Query query_;  ///< of the search that runs
+  const ObstacleField* field_ = nullptr;
   Body start_, goal_;
   std::vector<Slot> slots_;
   std::vector<ObstacleIndex> active_;
+  ObstacleBoxes active_boxes_;           ///< the same, for fast tests
   std::vector<std::uint8_t> is_active_;  ///< by obstacle
   std::vector<LegIndex> expanded_here_;  ///< by state: the first of a list
   std::vector<Leg> legs_;                ///< the first is the start

@@ -9,6 +9,7 @@ namespace regista::graph {
 struct Tangent {
   Place from;
   Place to;
+  Vec2 along = Vec2::Zero();  ///< unit
   double length_m = 0.0;
 };
 
@@ -64,7 +65,8 @@ void for_tangents(const Body& from, double from_side, const Body& to, double to_
       const Vec2 to_normal = -to_side * across;
       if (from.count > 1 && !supports(from, i, from_normal)) continue;
       if (to.count > 1 && !supports(to, j, to_normal)) continue;
-      visit(Tangent{place_on_arc(from, i, from_normal), place_on_arc(to, j, to_normal), length_m});
+      visit(Tangent{
+          place_on_arc(from, i, from_normal), place_on_arc(to, j, to_normal), {across.y(), -across.x()}, length_m});
     }
   }
 }
