@@ -25,7 +25,7 @@ struct Cut {
 /// An arc leaves as a circumscribed polyline that is longer by at most this share; each of its legs spans that angle:
 /// tan(x/2)/(x/2) - 1 ≈ x²/12.
 inline constexpr double kArcExcess = 1e-3;
-inline constexpr double kArcStep_rad = 0.1095;
+inline constexpr double kArcStep_rad = 0.1094;
 /// And its vertices lie outside of the arc by at most this share of the radius: 1/cos(x/2) - 1.
 inline constexpr double kArcOvershoot = 1.51e-3;
 

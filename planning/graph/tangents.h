@@ -14,7 +14,7 @@ struct Tangent {
 };
 
 /// A point as a body.
-inline Body body_of(const Vec2& point) {
+inline Body body_of(const Vec2 &point) {
   Body body;
   body.corners[0] = point;
   body.count = 1;
@@ -22,14 +22,16 @@ inline Body body_of(const Vec2& point) {
   return body;
 }
 
-/// Calls visit(tangent) for each leg that leaves `from`, gone round on from_side, and arrives at `to`, gone round on
-/// to_side: one where the bodies are apart, more or none where they overlap. Sides are 1 (counter-clockwise) or -1; for
-/// a point the side means nothing.
+/// Calls visit(tangent) for each leg that leaves `from`, gone round on
+/// from_side, and arrives at `to`, gone round on to_side: one where the bodies
+/// are apart, more or none where they overlap. Sides are 1 (counter-clockwise)
+/// or -1; for a point the side means nothing.
 ///
-/// With t the leg's direction and J a quarter turn left, the path touches at corner + radius·n with n = -side·J t, so
-/// d = L t + (r₂s₂ - r₁s₁) J t for d from corner to corner, which gives L and t.
+/// With t the leg's direction and J a quarter turn left, the path touches at
+/// corner + radius·n with n = -side·J t, so d = L t + (r₂s₂ - r₁s₁) J t for d
+/// from corner to corner, which gives L and t.
 template <class Visit>
-void for_tangents(const Body& from, double from_side, const Body& to, double to_side, Visit&& visit);
+void for_tangents(const Body &from, double from_side, const Body &to, double to_side, Visit &&visit);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -37,7 +39,7 @@ void for_tangents(const Body& from, double from_side, const Body& to, double to_
 inline constexpr double kTangentTouch_m = 1e-9;
 
 /// No corner lies farther out than the touched one, but for rounding.
-inline bool supports(const Body& body, std::uint32_t corner, const Vec2& normal) {
+inline bool supports(const Body &body, std::uint32_t corner, const Vec2 &normal) {
   constexpr double kRounding_m = 1e-10;
   for (std::uint32_t k = 0; k < body.count; ++k) {
     if ((body.corners[k] - body.corners[corner]).dot(normal) > kRounding_m) return false;
@@ -45,8 +47,19 @@ inline bool supports(const Body& body, std::uint32_t corner, const Vec2& normal)
   return true;
 }
 
+/// Where a touch lies beyond the end of the corner's arc by less than kTouch_m
+/// can tell: that end; else what it was.
+inline Vec2 onto_arc(const Body &body, std::uint32_t corner, const Vec2 &normal) {
+  constexpr double kNearlyParallel = 1.0 - 1e-6;
+  if (body.count == 1 || supports(body, corner, normal)) return normal;
+  for (const std::uint32_t end : {corner, (corner + 1) % body.count}) {
+    if (body.begin_normals[end].dot(normal) > kNearlyParallel) return body.begin_normals[end];
+  }
+  return normal;
+}
+
 template <class Visit>
-void for_tangents(const Body& from, double from_side, const Body& to, double to_side, Visit&& visit) {
+void for_tangents(const Body &from, double from_side, const Body &to, double to_side, Visit &&visit) {
   const double m = to.radius_m * to_side - from.radius_m * from_side;
   for (std::uint32_t i = 0; i < from.count; ++i) {
     for (std::uint32_t j = 0; j < to.count; ++j) {
@@ -61,12 +74,18 @@ void for_tangents(const Body& from, double from_side, const Body& to, double to_
       // J t, and from it both normals.
       const Vec2 across = touches ? Vec2(d * std::copysign(1.0 / std::sqrt(distance2), m))
                                   : Vec2((length_m * Vec2(-d.y(), d.x()) + m * d) / distance2);
-      const Vec2 from_normal = -from_side * across;
-      const Vec2 to_normal = -to_side * across;
+      Vec2 from_normal = -from_side * across;
+      Vec2 to_normal = -to_side * across;
+      double leg_m = length_m;
+      if (touches && (from.count > 1 || to.count > 1)) {
+        from_normal = onto_arc(from, i, from_normal);
+        to_normal = onto_arc(to, j, to_normal);
+        leg_m = (d + to.radius_m * to_normal - from.radius_m * from_normal).norm();
+      }
       if (from.count > 1 && !supports(from, i, from_normal)) continue;
       if (to.count > 1 && !supports(to, j, to_normal)) continue;
       visit(Tangent{
-          place_on_arc(from, i, from_normal), place_on_arc(to, j, to_normal), {across.y(), -across.x()}, length_m});
+          place_on_arc(from, i, from_normal), place_on_arc(to, j, to_normal), {across.y(), -across.x()}, leg_m});
     }
   }
 }
