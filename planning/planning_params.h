@@ -1,6 +1,12 @@
 // What the user can set of planning: margins, moving obstacles, budgets. One list of fields, one place of defaults.
 #pragma once
 
+#include "planning/planners/apf_params.h"
+#include "planning/planners/astar_grid_params.h"
+#include "planning/planners/dvg_params.h"
+#include "planning/planners/errt_params.h"
+#include "planning/planners/ompl/ompl_params.h"
+#include "planning/planners/rrt_params.h"
 #include "world_model/params.h"
 
 namespace regista {
@@ -16,6 +22,14 @@ struct PlanningParams {
   std::int64_t iterations = 2500;   ///< samples a random planner may draw (N of Costa & Tonidandel)
   std::int64_t budget_us = 0;       ///< time per robot, 0: none
   std::int64_t seed = 1;            ///< of random planners
+  RrtParams rrt;
+  IterativeRrtParams irrt;
+  ErrtParams errt;
+  OmplParams ompl;
+  DvgParams dvg;
+  DvgParams dvg_grouped = grouped_dvg_params();
+  AstarGridParams astar_grid;
+  ApfParams apf;
   bool operator==(const PlanningParams&) const = default;
 
   template <class Self, class V>
@@ -31,6 +45,14 @@ struct PlanningParams {
     v("iterations", self.iterations, Range{0.0, 1e9}, "", "samples a random planner may draw per robot");
     v("budget_us", self.budget_us, Range{0.0, 1e9}, "us", "time for one robot's plan; 0: no limit");
     v("seed", self.seed, Range{0.0, 9e15}, "", "seed of random planners");
+    v.group("rrt", self.rrt);
+    v.group("irrt", self.irrt);
+    v.group("errt", self.errt);
+    v.group("ompl", self.ompl);
+    v.group("dvg", self.dvg);
+    v.group("dvg_grouped", self.dvg_grouped);
+    v.group("astar_grid", self.astar_grid);
+    v.group("apf", self.apf);
   }
 };
 

@@ -4,7 +4,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "planning/planners/apf.h"
+#include "planning/planners/astar_grid.h"
+#include "planning/planners/dvg.h"
+#include "planning/planners/errt.h"
+#include "planning/planners/irrt.h"
+#include "planning/planners/ompl/ompl_planner.h"
 #include "planning/planners/rrt.h"
+#include "planning/planners/rrt_plan.h"
 #include "planning/planners/tangent.h"
 #include "planning/planners/visibility_sampling.h"
 #include "planning/planners/visibility_sampling_single.h"
@@ -22,6 +29,9 @@ std::unique_ptr<Planner> make(const PlanningParams& params) {
   }
 }
 
+constexpr std::string_view kDvgPaper = "Costa & Tonidandel, DVG+A* and RRT path-planners";
+constexpr std::string_view kIterativeRrtPaper = "Iterative RRT-Smooth for soccer robots, table I";
+constexpr std::string_view kSamplingPaper = "Pinheiro, Maximo & Yoneyama, Comparison of Sampling-based Path Planners";
 constexpr std::string_view kVisibilityPaper = "A Mapping & Planning Algorithm for RoboCup Small Size League (2022)";
 
 // Name, what, source, {complete, optimal, deterministic, anytime}, factory.
@@ -41,11 +51,72 @@ constexpr std::array kPlanners{
                  kVisibilityPaper,
                  {false, false, true, false},
                  make<VisibilitySamplingSingle>},
-    PlannerEntry{"rrt",
-                 "rapidly exploring random tree, path pruned",
-                 "Costa & Tonidandel, DVG+A* and RRT path-planners",
+    PlannerEntry{"dvg",
+                 "dynamic visibility graph: A* over octagons near the straight line",
+                 kDvgPaper,
+                 {false, false, true, false},
+                 make<Dvg>},
+    PlannerEntry{"dvg_grouped",
+                 "the same, obstacles near each other made one",
+                 kDvgPaper,
+                 {false, false, true, false},
+                 make<DvgGrouped>},
+    PlannerEntry{
+        "rrt", "rapidly exploring random tree, path pruned", kDvgPaper, {false, false, false, false}, make<Rrt>},
+    PlannerEntry{"rrt_plan",
+                 "random tree with goal bias, path as the tree has it",
+                 kIterativeRrtPaper,
                  {false, false, false, false},
-                 make<Rrt>},
+                 make<RrtPlan>},
+    PlannerEntry{
+        "rrt_smooth", "the same, path pruned", kIterativeRrtPaper, {false, false, false, false}, make<RrtSmooth>},
+    PlannerEntry{"irrt",
+                 "random trees from start and goal within a widening rectangle",
+                 kIterativeRrtPaper,
+                 {false, false, false, false},
+                 make<Irrt>},
+    PlannerEntry{
+        "irrt_smooth", "the same, path pruned", kIterativeRrtPaper, {false, false, false, false}, make<IrrtSmooth>},
+    PlannerEntry{"errt",
+                 "random tree drawn to the goal and to the path found before",
+                 kSamplingPaper,
+                 {false, false, false, false},
+                 make<Errt>},
+    PlannerEntry{"astar_grid",
+                 "A* on a grid of 50 mm cells, eight neighbours",
+                 kIterativeRrtPaper,
+                 {false, false, true, false},
+                 make<AstarGrid>},
+    PlannerEntry{"apf",
+                 "artificial potential field, local minima left along the wall",
+                 kIterativeRrtPaper,
+                 {false, false, true, false},
+                 make<Apf>},
+    PlannerEntry{"rrt_star",
+                 "RRT* of OMPL with the exact motion check",
+                 kSamplingPaper,
+                 {false, false, false, true},
+                 make<RrtStar>},
+    PlannerEntry{"fmt_star",
+                 "FMT* of OMPL with the exact motion check",
+                 kSamplingPaper,
+                 {false, false, false, false},
+                 make<FmtStar>},
+    PlannerEntry{"bit_star",
+                 "BIT* of OMPL with the exact motion check",
+                 kSamplingPaper,
+                 {false, false, false, true},
+                 make<BitStar>},
+    PlannerEntry{"rrt_connect",
+                 "RRT-Connect of OMPL with the exact motion check",
+                 "Kuffner & LaValle, RRT-Connect (2000)",
+                 {false, false, false, false},
+                 make<RrtConnect>},
+    PlannerEntry{"informed_rrt_star",
+                 "Informed RRT* of OMPL with the exact motion check",
+                 "Gammell, Srinivasa & Barfoot, Informed RRT* (2014)",
+                 {false, false, false, true},
+                 make<InformedRrtStar>},
 };
 
 [[noreturn]] void refuse(std::string_view name) {

@@ -12,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 // More than any field; squares of it stay far from overflow and rounding below kTouch_m's reach.
-constexpr double kLargest_m = 1e4;
+constexpr double kQueryLargest_m = 1e4;
 constexpr double kLongestBudget_us = 1e9;
 constexpr int kDeepest = 16;  // a query needs 4 levels; what is without bound overflows the stack when written
 
@@ -39,7 +39,7 @@ std::vector<double> numbers(const json& value, const std::string& where, std::si
   }
   std::vector<double> list;
   for (std::size_t i = 0; i < count; ++i) {
-    list.push_back(number(value[i], where + "[" + std::to_string(i) + "]", -kLargest_m, kLargest_m));
+    list.push_back(number(value[i], where + "[" + std::to_string(i) + "]", -kQueryLargest_m, kQueryLargest_m));
   }
   return list;
 }
@@ -59,15 +59,15 @@ Vec2 margin_of(const json& field) {
   const auto margin = field.find("margin");
   if (margin == field.end()) return Vec2::Zero();
   if (margin->is_array()) return point(*margin, "field.margin");
-  return Vec2::Constant(number(*margin, "field.margin", -kLargest_m, kLargest_m));
+  return Vec2::Constant(number(*margin, "field.margin", -kQueryLargest_m, kQueryLargest_m));
 }
 
 Bounds bounds_of(const json& query, double radius_m) {
   const json& field = member(query, "field", "");
   if (!field.is_object()) fail("field", "must be an object with length and width");
   FieldGeometry geometry;
-  geometry.length_m = number(member(field, "length", "field."), "field.length", 0.0, kLargest_m);
-  geometry.width_m = number(member(field, "width", "field."), "field.width", 0.0, kLargest_m);
+  geometry.length_m = number(member(field, "length", "field."), "field.length", 0.0, kQueryLargest_m);
+  geometry.width_m = number(member(field, "width", "field."), "field.width", 0.0, kQueryLargest_m);
   const Vec2 margin = margin_of(field);
   geometry.margin_goal_line_m = margin.x();
   geometry.margin_touch_line_m = margin.y();
@@ -162,7 +162,7 @@ json id_of(const json& query) {
 
 PlanQuery parse_query(const json& query) {
   PlanQuery out;
-  const double radius_m = number(member(query, "radius", ""), "radius", 0.0, kLargest_m);
+  const double radius_m = number(member(query, "radius", ""), "radius", 0.0, kQueryLargest_m);
   out.bounds = bounds_of(query, radius_m);
   const json& obstacles = list(member(query, "obstacles", ""), "obstacles");
   for (std::size_t i = 0; i < obstacles.size(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "planning/planner.h"
+#include "planning/planning_params.h"
 
 namespace regista {
 
@@ -10,8 +11,14 @@ namespace regista {
 /// taken without a tree (2,500 samples without goal bias miss one goal in forty), and a previous path that is still
 /// free and leads to the same goal is kept, since every new tree gives another path.
 class Rrt : public Planner {
+ public:
+  explicit Rrt(const PlanningParams& params = {}) : params_(params.rrt) {}
+
  protected:
   void search(graph::SharedGraph& graph, const Query& query, SearchResult& result) override;
+
+ private:
+  RrtParams params_;
 };
 
 }  // namespace regista

@@ -69,7 +69,7 @@ TEST_CASE("includes follow the data's way and cores stay pure") {
   }
 }
 
-TEST_CASE("MRPT is seen by the viewer alone, protobuf by ssl, nanoflann by one file of planning") {
+TEST_CASE("MRPT is seen by the viewer alone, protobuf by ssl, nanoflann by one file of planning, OMPL by one folder") {
   for (const std::string& folder : kFolders) {
     for (const Include& include : includes_of(fs::path(REGISTA_SOURCE_DIR) / folder)) {
       INFO(include.file.string() << " includes " << include.target);
@@ -79,6 +79,7 @@ TEST_CASE("MRPT is seen by the viewer alone, protobuf by ssl, nanoflann by one f
         CHECK(file.starts_with("modules/ssl/"));
       }
       if (include.target == "nanoflann.hpp") CHECK(file == "planning/kd_tree.h");
+      if (include.target.starts_with("ompl/")) CHECK(file.starts_with("planning/planners/ompl/"));
     }
   }
 }

@@ -49,6 +49,12 @@ class Examination {
 
   static bool is_ok(const Plan& plan) { return plan.status == PlanStatus::ok; }
 
+  /// A grid's steps go in eight directions, so only an optimal planner is held to the straight line itself.
+  bool is_straight(const Plan& plan) const {
+    const double straight_m = (plan.path.back() - plan.path.front()).norm();
+    return plan.length_m <= straight_m * (guarantees_.optimal ? 1.0 + 1e-9 : 1.1);
+  }
+
   /// Plans and checks whatever comes out against the laws that hold for every answer.
   Plan examine(const ObstacleField& field, const PlanRequest& request, const std::string& where) {
     Plan plan = planner_->plan(field, request);
@@ -70,7 +76,7 @@ class Examination {
     const ObstacleField empty(bounds, {});
     const Plan plan = examine(empty, request_of({-3, 1}, {4, -2}), "no obstacles");
     expect(is_ok(plan), "no obstacles: not ok");
-    expect(std::abs(plan.length_m - std::hypot(7.0, 3.0)) < 1e-9, "no obstacles: not the straight line");
+    expect(is_ok(plan) && is_straight(plan), "no obstacles: not the straight line");
     const Plan still = examine(empty, request_of({1, 2}, {1, 2}), "start = goal");
     expect(is_ok(still) && still.path == std::vector<Vec2>{{1, 2}} && still.length_m == 0.0, "start = goal: moves");
     const ObstacleField one(bounds, {disc({0, 0}, 0.5)});
@@ -80,7 +86,7 @@ class Examination {
     PlanRequest ignoring = request_of({-3, 0}, {3, 0});
     ignoring.ignored = {0};
     const Plan through = examine(one, ignoring, "the only disc ignored");
-    expect(is_ok(through) && std::abs(through.length_m - 6.0) < 1e-9, "the only disc ignored: not the straight line");
+    expect(is_ok(through) && is_straight(through), "the only disc ignored: not the straight line");
     const ObstacleField wall(bounds, {rounded_rectangle({-0.1, -4.5}, {0.1, 2.5}, 0.1)});
     expect(is_ok(examine(wall, request_of({-2, -2}, {2, -2}), "a wall with a way round")), "a wall: not ok");
   }
@@ -143,7 +149,8 @@ class Examination {
   void spent_budgets() {
     const ObstacleField field = labyrinth();
     PlanRequest request = request_of({-5.5, 0}, {5.5, 0});
-    request.budget.iterations = 100000;
+    // Anytime planners use all they get, and their nodes cost more the more there are.
+    request.budget.iterations = guarantees_.anytime ? 30000 : 100000;
     expect(is_ok(examine(field, request, "labyrinth")), "labyrinth: not ok");
     PlanRequest unlucky = request;
     unlucky.budget.iterations = 0;
