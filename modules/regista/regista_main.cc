@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "modules/regista/bench.h"
 #include "modules/regista/command.h"
 #include "modules/regista/command_line.h"
 #include "modules/regista/goto.h"
@@ -35,6 +36,7 @@ int run(int argc, char** argv) {
   regista::add_spy(app, action);
   regista::add_log(app, action);
   regista::add_plan(app, action);
+  regista::add_bench(app, action);
   std::vector<std::string> arguments = regista::arguments_of(argc, argv);
   if (const auto unknown = regista::unknown_command(app, arguments)) {
     std::fprintf(stderr, "regista: %s\n", unknown->c_str());
