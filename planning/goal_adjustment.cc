@@ -38,13 +38,18 @@ std::optional<Vec2> GoalAdjustment::way_out(const ObstacleField& field, const Ve
 /// The nearest admitted point lies on one of the outlines of obstacles and bounds as the projection of from_, or where
 /// two of them meet (or, for a way out, where one meets a straight line that grazes another).
 std::optional<Vec2> GoalAdjustment::nearest_on_outlines() {
-  best_m_ = std::numeric_limits<double>::infinity();
+  best_m_ = shadowed_m_ = std::numeric_limits<double>::infinity();
   best_.reset();
   find_covering();
   if (!try_deepest()) {
     const double everything_m = 2.0 * (field_->bounds().half_extent_m.norm() + from_.norm());
-    constexpr double kFirst_m = 0.5;  // two robots' radii and as much again
-    for (double radius_m = kFirst_m; !try_within(radius_m) && radius_m < everything_m;) radius_m *= 4.0;
+    constexpr double kBeyond_m = 0.5;  // two robots' radii and as much again
+    double radius_m = deepest_m_ + kBeyond_m;
+    while (!try_within(radius_m, false) && radius_m < everything_m) radius_m *= 4.0;
+    // Where a shadow's border is nearest, following the outline into the shadow leads nearer still, to another point.
+    if (shadowed_m_ < best_m_) {
+      while (!try_within(radius_m, true) && radius_m < everything_m) radius_m *= 4.0;
+    }
   }
   if (best_) best_ = clamped(*best_, field_->bounds());
   return best_;
@@ -60,40 +65,51 @@ void GoalAdjustment::find_covering() {
   std::sort(crossed_.begin(), crossed_.end());
 }
 
-bool GoalAdjustment::admits(const Vec2& candidate) const {
+bool GoalAdjustment::admits(const Vec2& candidate, double distance_m) {
   if (!field_->is_free(candidate, ignored_)) return false;
-  return !is_way_out_ || !field_->first_blocker(from_, candidate, crossed_);
+  if (!is_way_out_ || !field_->first_blocker(from_, candidate, crossed_)) return true;
+  shadowed_m_ = std::min(shadowed_m_, distance_m);
+  return false;
 }
 
 /// Nothing is nearer than the boundary of what covers the point deepest; mostly its nearest point is free.
 bool GoalAdjustment::try_deepest() {
   const Bounds& bounds = field_->bounds();
-  double deepest_m = outside_m(from_, bounds);
+  deepest_m_ = outside_m(from_, bounds);
   candidates_.clear();
   append_projections(from_, outline_of(bounds), candidates_);
   for (const ObstacleIndex i : covering_) {
     const Obstacle& obstacle = field_->obstacles()[i];
     const double depth_m = -clearance(from_, obstacle);
-    if (depth_m <= deepest_m) continue;
-    deepest_m = depth_m;
+    if (depth_m <= deepest_m_) continue;
+    deepest_m_ = depth_m;
     candidates_.clear();
     append_projections(from_, outline_of(obstacle), candidates_);
   }
   constexpr double kRounding_m = 1e-12;
   for (const Vec2& candidate : candidates_) {
-    if ((candidate - from_).norm() > deepest_m + kRounding_m || !admits(candidate)) continue;
+    const double distance_m = (candidate - from_).norm();
+    if (distance_m > deepest_m_ + kRounding_m || !admits(candidate, distance_m)) continue;
     best_ = candidate;
     return true;
   }
   return false;
 }
 
+/// Nothing of its outline is free: a goal's walls lie in its defence area.
+bool GoalAdjustment::is_held(ObstacleIndex obstacle) const {
+  return std::any_of(covering_.begin(), covering_.end(), [&](ObstacleIndex i) {
+    return i != obstacle && surely_holds(field_->obstacles()[i], field_->obstacles()[obstacle]) &&
+           !surely_holds(field_->obstacles()[obstacle], field_->obstacles()[i]);
+  });
+}
+
 /// With the outlines that come within the radius, in the order of their distance; as soon as the next one is farther
 /// than the best point so far, nothing better can come. False when the best may be farther than the radius.
-bool GoalAdjustment::try_within(double radius_m) {
+bool GoalAdjustment::try_within(double radius_m, bool with_rays) {
   order_.clear();
   field_->maybe_within(from_, radius_m, [&](ObstacleIndex i) {
-    if (is_ignored(i, ignored_)) return;
+    if (is_ignored(i, ignored_) || is_held(i)) return;
     const double distance_m = std::abs(clearance(from_, field_->obstacles()[i]));
     if (distance_m <= radius_m) order_.emplace_back(distance_m, i);
   });
@@ -103,7 +119,7 @@ bool GoalAdjustment::try_within(double radius_m) {
   for (const auto& [distance_m, index] : order_) {
     if (distance_m > best_m_) break;
     const Outline outline = outline_of(field_->obstacles()[index]);
-    if (is_way_out_) add_rays(outline);
+    if (with_rays) add_rays(outline);
     add(outline);
   }
   return best_m_ <= radius_m;
@@ -132,7 +148,7 @@ void GoalAdjustment::add_rays(const Outline& outline) {
 void GoalAdjustment::try_candidates() {
   for (const Vec2& candidate : candidates_) {
     const double distance_m = (candidate - from_).norm();
-    if (distance_m >= best_m_ || !admits(candidate)) continue;
+    if (distance_m >= best_m_ || !admits(candidate, distance_m)) continue;
     best_m_ = distance_m;
     best_ = candidate;
   }

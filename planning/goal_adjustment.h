@@ -27,10 +27,11 @@ class GoalAdjustment {
 
  private:
   std::optional<Vec2> nearest_on_outlines();
-  bool admits(const Vec2& candidate) const;
+  bool admits(const Vec2& candidate, double distance_m);
   void find_covering();
+  bool is_held(ObstacleIndex obstacle) const;
   bool try_deepest();
-  bool try_within(double radius_m);
+  bool try_within(double radius_m, bool with_rays);
   void add(const Outline& outline);
   void add_rays(const Outline& outline);
   void try_candidates();
@@ -40,6 +41,8 @@ class GoalAdjustment {
   Vec2 from_ = Vec2::Zero();
   bool is_way_out_ = false;
   double best_m_ = std::numeric_limits<double>::infinity();
+  double shadowed_m_ = std::numeric_limits<double>::infinity();  ///< nearest free point that no straight leg reaches
+  double deepest_m_ = 0.0;  ///< how deep the point is covered; nothing free is nearer
   std::optional<Vec2> best_;
   std::vector<ObstacleIndex> covering_;
   std::vector<std::size_t> crossed_;  ///< what a way out may cross: ignored and covering obstacles, sorted

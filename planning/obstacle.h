@@ -40,4 +40,12 @@ inline bool is_valid(const Obstacle& obstacle) {
   return largest_m <= kLargest_m && sum == sum && obstacle.radius_m >= 0.0;
 }
 
+/// True when a rectangle's core holds the other's and its radius is not smaller: then all of the other lies inside.
+inline bool surely_holds(const Obstacle& rectangle, const Obstacle& other) {
+  if (rectangle.core != Core::rectangle || other.radius_m > rectangle.radius_m) return false;
+  return std::min(other.a.x(), other.b.x()) >= rectangle.a.x() &&
+         std::max(other.a.x(), other.b.x()) <= rectangle.b.x() &&
+         std::min(other.a.y(), other.b.y()) >= rectangle.a.y() && std::max(other.a.y(), other.b.y()) <= rectangle.b.y();
+}
+
 }  // namespace regista

@@ -31,13 +31,6 @@ double over_bounds(const Obstacle &obstacle, const Bounds &bounds) {
   return (obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs()) - bounds.half_extent_m).maxCoeff() + obstacle.radius_m;
 }
 
-/// Surely all of the other lies inside.
-bool holds(const Obstacle &obstacle, const Obstacle &other) {
-  if (obstacle.core != Core::rectangle || other.radius_m > obstacle.radius_m) return false;
-  return (other.a.cwiseMin(other.b).array() >= obstacle.a.array()).all() &&
-         (other.a.cwiseMax(other.b).array() <= obstacle.b.array()).all();
-}
-
 }  // namespace
 
 void Contacts::reset(std::size_t obstacles) {
@@ -68,7 +61,7 @@ void Contacts::find(const ObstacleField &field, ObstacleIndex index, const Body 
     if (gap_m >= brush_m) continue;
     if (gap_m > -kTouch_m) {
       brushes_.push_back(other);
-    } else if (holds(obstacle, neighbour)) {
+    } else if (surely_holds(obstacle, neighbour)) {
       continue;
     } else if (body.count == 1 && neighbour.core == Core::point) {
       add_disc(obstacle, neighbour, other);

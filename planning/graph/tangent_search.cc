@@ -77,6 +77,7 @@ void TangentSearch::clear(SharedGraph& graph, const Query& query) {
   expanded_.clear();
   queue_.clear();
   pending_.clear();
+  recent_.fill(kBounds);
   Leg start;
   start.to.point = query.start;
   start.state = kStartState;
@@ -159,12 +160,22 @@ ObstacleIndex TangentSearch::body_at(State state) const {
 }
 
 /// Both ends' bodies are touched, not crossed.
-bool TangentSearch::is_free_of_active(State from_state, State to_state, const ObstacleBoxes::Motion& motion) const {
+bool TangentSearch::is_free_of_active(State from_state, State to_state, const ObstacleBoxes::Motion& motion) {
   const ObstacleIndex from = body_at(from_state);
   const ObstacleIndex to = body_at(to_state);
+  const auto blocks = [&](ObstacleIndex i) {
+    return i != from && i != to && !is_free(motion.from, motion.to, field_->obstacles()[i]);
+  };
+  // What blocked a leg blocks its neighbours as well.
+  for (std::size_t k = 0; k < recent_.size(); ++k) {
+    if (recent_[k] == kBounds || !blocks(recent_[k])) continue;
+    if (k > 0) std::swap(recent_[k], recent_[k - 1]);
+    return false;
+  }
   bool is_blocked = false;
   active_boxes_.visit_near(motion, [&](ObstacleIndex i) {
-    is_blocked = i != from && i != to && !is_free(motion.from, motion.to, field_->obstacles()[i]);
+    is_blocked = blocks(i);
+    if (is_blocked) recent_.back() = i;
     return is_blocked;
   });
   return !is_blocked;

@@ -60,7 +60,7 @@ class TangentSearch {
   void depart_to_slot(LegIndex leg, State slot);
   void depart(LegIndex leg, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
-  bool is_free_of_active(State from, State to, const ObstacleBoxes::Motion& motion) const;
+  bool is_free_of_active(State from, State to, const ObstacleBoxes::Motion& motion);
   ObstacleIndex body_at(State state) const;
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
@@ -82,6 +82,7 @@ class TangentSearch {
   std::vector<LegIndex> expanded_;
   std::vector<Queued> queue_;  ///< a heap, least estimate first
   std::vector<ObstacleIndex> pending_;
+  std::array<ObstacleIndex, 4> recent_{};  ///< active obstacles that blocked something lately
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
   double length_m_ = 0.0;
