@@ -207,6 +207,25 @@ TEST_CASE("[SBP] scenes are as described, and a function of their seed") {
   }
 }
 
+TEST_CASE("half of the scenes succeed from between the places of a curve on, along the logarithm") {
+  Sweep sweep{"allowed time", "ms", {}};
+  sweep.curves.emplace_back();
+  for (const auto& [x, solved] : {std::pair{1.0, 0U}, std::pair{100.0, 10U}}) {
+    SweepPoint point{x, 0.0, Contender{"a planner", nullptr}};
+    point.blocked = 10;
+    point.blocked_solved = solved;
+    sweep.curves.back().push_back(std::move(point));
+  }
+  const Measurement measured = measurement_of(sweep);
+  CHECK(measured("half_success_at", "a planner", 0.0).value() == Approx(10.0));
+  CHECK(measured("success_blocked", "a planner", 100.0).value() == Approx(100.0));
+  CHECK_FALSE(measured("length", "a planner", 1.0).has_value());
+  CHECK_THROWS_AS(measured("length", "another planner", 1.0), std::runtime_error);
+  CHECK_THROWS_AS(measured("no such quantity", "a planner", 1.0), std::runtime_error);
+  sweep.curves.back().back().blocked_solved = 4;
+  CHECK_FALSE(measured("half_success_at", "a planner", 0.0).has_value());
+}
+
 TEST_CASE("twelve agents: no two in each other, and the asker does not ignore the areas") {
   std::mt19937_64 random(1);
   for (int i = 0; i < 50; ++i) {

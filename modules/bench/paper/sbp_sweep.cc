@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kNormal95 = 1.96;  ///< quantile of the normal distribution at 97.5 %
 
+constexpr double kHalf_percent = 50.0;
+
 /// Error bars of planners are drawn beside each other: each by this factor further right.
 constexpr double kDodge = 1.02;
 constexpr double kRoom = 1.25;  ///< beside the curves, for them
@@ -77,6 +79,19 @@ std::optional<std::pair<double, double>> value_of(const SweepPoint& point, const
   return std::pair{summary.sigma, confidence_of_sigma(summary)};
 }
 
+/// The first place of a curve where that many percent of the blocked scenes succeed, between places along the
+/// logarithm.
+std::optional<double> place_of_success(const std::vector<SweepPoint>& curve, double percent) {
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double here = 100.0 * blocked_share(curve[i]);
+    if (here < percent) continue;
+    if (i == 0) return curve[i].x;
+    const double before = 100.0 * blocked_share(curve[i - 1]);
+    return curve[i - 1].x * std::pow(curve[i].x / curve[i - 1].x, (percent - before) / (here - before));
+  }
+  return {};
+}
+
 }  // namespace
 
 double confidence_of_mean(const Summary& summary) {
@@ -111,9 +126,9 @@ Table table_of(const Sweep& sweep, const std::string& title) {
                {"success", "%"},
                {"success where blocked", "%"},
                {"length mean", "m"},
-               {"+-", "m", 2},
+               {"+-", "m", 3},
                {"length sigma", "m"},
-               {"+-", "m", 2},
+               {"+-", "m", 3},
                {"ratio mean", "x", 5},
                {"ratio sigma", "x"},
                {"time mean", "us"},
@@ -140,6 +155,9 @@ Table table_of(const Sweep& sweep, const std::string& title) {
 Measurement measurement_of(const Sweep& sweep) {
   return [&sweep](const std::string& quantity, const std::string& planner, double at) -> std::optional<double> {
     for (const std::vector<SweepPoint>& curve : sweep.curves) {
+      if (quantity == "half_success_at" && curve.front().contender.name == planner) {
+        return place_of_success(curve, kHalf_percent);
+      }
       for (const SweepPoint& point : curve) {
         if (point.contender.name != planner || point.x != at) continue;
         const auto value = value_of(point, quantity);

@@ -31,7 +31,8 @@ void measure(Sweep& sweep, const SbpScenario& scenario, std::size_t runs, const 
 /// A row per planner and place.
 Table table_of(const Sweep& sweep, const std::string& title);
 
-/// "success", "success_blocked" (%), "length", "sigma" (m), "ratio", "ratio_sigma", "time" (us) by planner and place.
+/// "success", "success_blocked" (%), "length", "sigma" (m), "ratio", "ratio_sigma", "time" (us) by planner and place;
+/// "half_success_at": the place from which on half of the blocked scenes succeed, by planner.
 Measurement measurement_of(const Sweep& sweep);
 
 /// Half the width of the 95 % confidence interval of a mean, of a standard deviation and of a share in percent, by the
