@@ -5,8 +5,8 @@
 namespace regista::graph {
 namespace {
 
-Vec2 turned_left(const Vec2 &v) { return {-v.y(), v.x()}; }
-Vec2 turned_right(const Vec2 &v) { return {v.y(), -v.x()}; }
+Vec2 turned_left(const Vec2& v) { return {-v.y(), v.x()}; }
+Vec2 turned_right(const Vec2& v) { return {v.y(), -v.x()}; }
 
 /// Grows with the angle from (1, 0), from 0 to 4: the place on the square |x| +
 /// |y| = 1.
@@ -23,9 +23,9 @@ Vec2 from_diamond(double d) {
   return Vec2(x, y).normalized();
 }
 
-void set_corners(Body &body, std::initializer_list<Vec2> corners) {
+void set_corners(Body& body, std::initializer_list<Vec2> corners) {
   body.count = 0;
-  for (const Vec2 &corner : corners) body.corners[body.count++] = corner;
+  for (const Vec2& corner : corners) body.corners[body.count++] = corner;
   for (std::uint32_t i = 0; i < body.count; ++i) {
     const std::uint32_t next = (i + 1) % body.count;
     const Vec2 side = body.corners[next] - body.corners[i];
@@ -36,8 +36,8 @@ void set_corners(Body &body, std::initializer_list<Vec2> corners) {
 }
 
 /// Place within a corner's arc, from 0 to 1.
-double share_of_arc(const Body &body, std::uint32_t corner, const Vec2 &normal) {
-  const Vec2 &begin = body.begin_normals[corner];
+double share_of_arc(const Body& body, std::uint32_t corner, const Vec2& normal) {
+  const Vec2& begin = body.begin_normals[corner];
   const double p = normal.dot(begin);
   const double q = cross(begin, normal);
   const double share = std::max(q, 0.0) == 0.0 && p >= 0.0 ? 0.0 : diamond(p, std::max(q, 0.0));
@@ -46,11 +46,11 @@ double share_of_arc(const Body &body, std::uint32_t corner, const Vec2 &normal) 
 
 }  // namespace
 
-Body body_of(const Obstacle &obstacle) {
+Body body_of(const Obstacle& obstacle) {
   Body body;
   body.radius_m = obstacle.radius_m;
-  const Vec2 &a = obstacle.a;
-  const Vec2 &b = obstacle.b;
+  const Vec2& a = obstacle.a;
+  const Vec2& b = obstacle.b;
   if (obstacle.core == Core::point || a == b) {
     set_corners(body, {a});
   } else if (obstacle.core == Core::segment || a.x() == b.x() || a.y() == b.y()) {
@@ -63,16 +63,21 @@ Body body_of(const Obstacle &obstacle) {
   return body;
 }
 
-double order_of(const Body &body, const Place &place) {
+double order_of(const Body& body, const Place& place) {
   if (body.count == 1) return diamond(place.normal.x(), place.normal.y());
   return 2.0 * place.corner + share_of_arc(body, place.corner, place.normal);
 }
 
-double order_of(const Body &body, const Vec2 &point) {
+Vec2 disc_normal(double order) {
+  const double rest = std::fmod(order, 4.0);
+  return from_diamond(rest < 0.0 ? rest + 4.0 : rest);
+}
+
+double order_of(const Body& body, const Vec2& point) {
   // Nearest point of the core: on a side where the foot lies within it, else a
   // corner.
   for (std::uint32_t i = 0; body.count > 1 && i < body.count; ++i) {
-    const Vec2 &normal = body.begin_normals[(i + 1) % body.count];
+    const Vec2& normal = body.begin_normals[(i + 1) % body.count];
     const Vec2 from_corner = point - body.corners[i];
     const double along = from_corner.dot(turned_left(normal)) / body.side_lengths[i];
     constexpr double kRounding_m = 1e-6;
@@ -88,7 +93,7 @@ double order_of(const Body &body, const Vec2 &point) {
   return order_of(body, {point, distance > 0.0 ? Vec2(outwards / distance) : Vec2(1.0, 0.0), nearest});
 }
 
-Vec2 point_between(const Body &body, double from_order, double to_order) {
+Vec2 point_between(const Body& body, double from_order, double to_order) {
   double order = from_order + 0.5 * ahead(body, from_order, to_order, 1.0);
   if (order >= body.period) order -= body.period;
   if (body.count == 1) return place_on_arc(body, 0, from_diamond(order)).point;
@@ -97,7 +102,7 @@ Vec2 point_between(const Body &body, double from_order, double to_order) {
   const double share = order - piece;
   if (piece % 2 == 0) {
     const Vec2 local = from_diamond(body.count == 2 ? 2.0 * share : share);
-    const Vec2 &begin = body.begin_normals[corner];
+    const Vec2& begin = body.begin_normals[corner];
     return place_on_arc(body, corner, local.x() * begin + local.y() * turned_left(begin)).point;
   }
   const std::uint32_t next = (corner + 1) % body.count;
@@ -105,7 +110,7 @@ Vec2 point_between(const Body &body, double from_order, double to_order) {
   return foot + body.radius_m * body.begin_normals[next];
 }
 
-double travel_m(const Body &body, const Place &from, const Place &to, double side) {
+double travel_m(const Body& body, const Place& from, const Place& to, double side) {
   double turn_rad = turn(from.normal, to.normal, side);
   if (body.count == 1) return body.radius_m * turn_rad;
   // More than half way round on a turn of nothing: along a side, all of it but

@@ -46,6 +46,9 @@ inline Place place_on_arc(const Body& body, std::uint32_t corner, const Vec2& no
 /// The order of boundary points: grows counter-clockwise in [0, Body::period); only comparisons mean something.
 double order_of(const Body& body, const Place& place);
 
+/// The normal of a disc at that order.
+Vec2 disc_normal(double order);
+
 /// The same for any point that lies on the boundary (to rounding), sides included.
 double order_of(const Body& body, const Vec2& point);
 

@@ -13,7 +13,7 @@ constexpr double kOn_m = 1e-8;
 
 /// The order of a contact. At a corner without radius, whose arc is one point,
 /// the middle of that arc.
-double contact_order(const Body &body, const Vec2 &point) {
+double contact_order(const Body& body, const Vec2& point) {
   for (std::uint32_t i = 0; body.radius_m == 0.0 && i < body.count; ++i) {
     if ((point - body.corners[i]).norm() <= kOn_m) return 2.0 * i + 0.5;
   }
@@ -22,12 +22,12 @@ double contact_order(const Body &body, const Vec2 &point) {
 
 /// A stretch that begins or ends there spares all of that arc: who arrives
 /// anywhere on it has not passed the point.
-bool is_bare_corner(const Body &body, double order) {
+bool is_bare_corner(const Body& body, double order) {
   return body.radius_m == 0.0 && static_cast<std::uint32_t>(order) % 2 == 0;
 }
 
 /// How far the obstacle reaches over the bounds; negative when it stays within.
-double over_bounds(const Obstacle &obstacle, const Bounds &bounds) {
+double over_bounds(const Obstacle& obstacle, const Bounds& bounds) {
   return (obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs()) - bounds.half_extent_m).maxCoeff() + obstacle.radius_m;
 }
 
@@ -39,24 +39,24 @@ void Contacts::reset(std::size_t obstacles) {
   brushes_.clear();
 }
 
-Contacts::Of Contacts::of(const ObstacleField &field, ObstacleIndex obstacle, const Body &body) {
+Contacts::Of Contacts::of(const ObstacleField& field, ObstacleIndex obstacle, const Body& body) {
   if (!ranges_[obstacle].is_known) find(field, obstacle, body);
-  const Range &range = ranges_[obstacle];
+  const Range& range = ranges_[obstacle];
   return {{cuts_.data() + range.cuts_begin, cuts_.data() + range.cuts_end},
           {brushes_.data() + range.brushes_begin, brushes_.data() + range.brushes_end}};
 }
 
-void Contacts::find(const ObstacleField &field, ObstacleIndex index, const Body &body) {
+void Contacts::find(const ObstacleField& field, ObstacleIndex index, const Body& body) {
   Range range;
   range.cuts_begin = static_cast<std::uint32_t>(cuts_.size());
   range.brushes_begin = static_cast<std::uint32_t>(brushes_.size());
-  const Obstacle &obstacle = field.obstacles()[index];
+  const Obstacle& obstacle = field.obstacles()[index];
   const double brush_m = kArcOvershoot * obstacle.radius_m;
   near_.clear();
   field.maybe_near(index, brush_m, near_);
   std::sort(near_.begin(), near_.end());
   for (const ObstacleIndex other : near_) {
-    const Obstacle &neighbour = field.obstacles()[other];
+    const Obstacle& neighbour = field.obstacles()[other];
     const double gap_m = gap(obstacle, neighbour);
     if (gap_m >= brush_m) continue;
     if (gap_m > -kTouch_m) {
@@ -80,7 +80,7 @@ void Contacts::find(const ObstacleField &field, ObstacleIndex index, const Body 
 
 /// Two circles meet where the line of centres, turned by the angle with cosine
 /// (d² + r₁² - r₂²)/(2 d r₁), leaves one.
-void Contacts::add_disc(const Obstacle &disc, const Obstacle &other, ObstacleIndex index) {
+void Contacts::add_disc(const Obstacle& disc, const Obstacle& other, ObstacleIndex index) {
   const Vec2 between = other.a - disc.a;
   const double distance = between.norm();
   if (distance <= other.radius_m - disc.radius_m - kTouch_m) {
@@ -101,29 +101,29 @@ void Contacts::add_disc(const Obstacle &disc, const Obstacle &other, ObstacleInd
                    order_of(body, place_on_arc(body, 0, along + across)), index, false});
 }
 
-void Contacts::add_outline(const Obstacle &obstacle, const Body &body, const Obstacle &other, ObstacleIndex index) {
+void Contacts::add_outline(const Obstacle& obstacle, const Body& body, const Obstacle& other, ObstacleIndex index) {
   points_.clear();
   append_intersections(outline_of(obstacle), outline_of(other), points_);
   // Outlines hold more than the boundary.
-  std::erase_if(points_, [&](const Vec2 &point) {
+  std::erase_if(points_, [&](const Vec2& point) {
     return std::abs(clearance(point, obstacle)) > kOn_m || std::abs(clearance(point, other)) > kOn_m;
   });
-  add_cuts(body, index, [&](const Vec2 &point) { return !is_free(point, other); });
+  add_cuts(body, index, [&](const Vec2& point) { return !is_free(point, other); });
 }
 
-void Contacts::add_bounds(const Obstacle &obstacle, const Body &body, const Bounds &bounds) {
+void Contacts::add_bounds(const Obstacle& obstacle, const Body& body, const Bounds& bounds) {
   points_.clear();
   append_intersections(outline_of(obstacle), outline_of(bounds), points_);
-  std::erase_if(points_, [&](const Vec2 &point) { return std::abs(clearance(point, obstacle)) > kOn_m; });
-  add_cuts(body, kBounds, [&](const Vec2 &point) { return !is_inside(point, bounds); });
+  std::erase_if(points_, [&](const Vec2& point) { return std::abs(clearance(point, obstacle)) > kOn_m; });
+  add_cuts(body, kBounds, [&](const Vec2& point) { return !is_inside(point, bounds); });
 }
 
 /// Between two neighbouring points_ the boundary is either inside or not: its
 /// middle tells.
 template <class IsCovered>
-void Contacts::add_cuts(const Body &body, ObstacleIndex index, const IsCovered &is_covered) {
+void Contacts::add_cuts(const Body& body, ObstacleIndex index, const IsCovered& is_covered) {
   orders_.clear();
-  for (const Vec2 &point : points_) orders_.push_back(contact_order(body, point));
+  for (const Vec2& point : points_) orders_.push_back(contact_order(body, point));
   std::sort(orders_.begin(), orders_.end());
   if (orders_.empty()) {
     if (is_covered(point_between(body, 0.0, 0.5))) cuts_.push_back({0.0, 0.0, index, true});

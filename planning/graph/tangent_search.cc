@@ -15,6 +15,11 @@ constexpr std::uint32_t kStart = 0;  // the first leg
 
 constexpr int kLegsPerTimeCheck = 64;
 
+/// A search that takes so long may be hopeless: then it is proved that there is no way, instead of trying them all. It
+/// goes on a little for a path that leads near the goal.
+constexpr int kLegsBeforeProof = 64;
+constexpr int kLegsWithoutHope = 192;
+
 /// A place counts as not beyond another (in order).
 constexpr double kSamePlace = 1e-9;
 
@@ -28,6 +33,8 @@ double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, std::vector<Vec2>& path) {
   clear(graph, query);
   int legs_until_check = kLegsPerTimeCheck;
+  int legs_tested = 0;
+  bool is_separated = false;
   LegIndex nearest = kStart;
   double nearest_m = (query.goal - query.start).norm();
   End end = End::no_way;
@@ -42,6 +49,10 @@ TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, s
       }
       legs_until_check = kLegsPerTimeCheck;
     }
+    if (++legs_tested == kLegsBeforeProof) {
+      is_separated = separation_.separates(graph.field(), query.start, query.goal, query.ignored);
+    }
+    if (is_separated && legs_tested >= kLegsWithoutHope) break;
     const Leg& leg = legs_[next.leg];
     if (!is_open(graph, leg)) {
       activate_pending(graph);
@@ -78,6 +89,7 @@ void TangentSearch::clear(SharedGraph& graph, const Query& query) {
   queue_.clear();
   pending_.clear();
   recent_.fill(kBounds);
+  departures_ = {};
   Leg start;
   start.to.point = query.start;
   start.state = kStartState;
@@ -123,10 +135,22 @@ bool TangentSearch::expand(SharedGraph& graph, LegIndex index) {
   leg.next_here = here;
   here = index;
   expanded_.push_back(index);
+  set_departures(leg);
   const auto slots = static_cast<State>(slots_.size());
   for (State other = 0; other < slots; ++other) depart_to_slot(index, other);
   depart(index, goal_, 1.0, kGoalState);
   return true;
+}
+
+/// From the leg's end as far as its reach.
+void TangentSearch::set_departures(const Leg& leg) {
+  departures_.is_narrow = false;
+  if (leg.state == kStartState || slots_[leg.state / 2].body.count != 1) return;
+  constexpr double kHalfRound = 2.0;  // in order, exactly
+  constexpr double kSurely = 0.01;
+  if (leg.reach > kHalfRound - kSurely) return;
+  const double side = side_of(leg.state);
+  departures_ = {true, side, leg.to.normal, disc_normal(leg.order + side * leg.reach)};
 }
 
 void TangentSearch::depart_to_slot(LegIndex index, State slot) {
@@ -141,7 +165,7 @@ void TangentSearch::depart(LegIndex index, const Body& to, double to_side, State
   const Body& from = is_start ? start_ : slots_[leg.state / 2].body;
   const double side = is_start ? 1.0 : side_of(leg.state);
   const bool is_cut = !is_start && leg.reach < from.period;
-  for_tangents(from, side, to, to_side, [&](const Tangent& tangent) {
+  for_tangents(from, side, to, to_side, departures_, [&](const Tangent& tangent) {
     const Leg& arrival = legs_[index];
     if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
     if (!is_free_of_active(arrival.state, state, {tangent.from.point, tangent.to.point, tangent.along})) return;
@@ -222,7 +246,10 @@ void TangentSearch::activate(SharedGraph& graph, ObstacleIndex obstacle) {
   slots_.push_back({body_of(graph.field().obstacles()[obstacle]), obstacle});
   expanded_here_.resize(2 * slots_.size(), kNone);
   const auto slot = static_cast<State>(slots_.size() - 1);
-  for (const LegIndex leg : expanded_) depart_to_slot(leg, slot);
+  for (const LegIndex leg : expanded_) {
+    set_departures(legs_[leg]);
+    depart_to_slot(leg, slot);
+  }
 }
 
 void TangentSearch::activate_pending(SharedGraph& graph) {

@@ -2,6 +2,7 @@
 // arcs between them. The limit of visibility sampling for infinitely many samples.
 #pragma once
 
+#include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/graph/tangents.h"
 #include "planning/plan.h"
@@ -57,6 +58,7 @@ class TangentSearch {
 
   void clear(SharedGraph& graph, const Query& query);
   bool expand(SharedGraph& graph, LegIndex leg);
+  void set_departures(const Leg& leg);
   void depart_to_slot(LegIndex leg, State slot);
   void depart(LegIndex leg, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
@@ -85,6 +87,8 @@ class TangentSearch {
   std::array<ObstacleIndex, 4> recent_{};  ///< active obstacles that blocked something lately
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
+  Separation separation_;
+  Departures departures_;  ///< of the leg that is being expanded
   double length_m_ = 0.0;
 };
 

@@ -14,13 +14,29 @@ struct Tangent {
 };
 
 /// A point as a body.
-inline Body body_of(const Vec2 &point) {
+inline Body body_of(const Vec2& point) {
   Body body;
   body.corners[0] = point;
   body.count = 1;
   body.period = 4.0;
   return body;
 }
+
+/// Where legs may leave a disc: from one normal on to another, gone round on a side, less than half way round. Nothing
+/// narrow allows all.
+struct Departures {
+  bool is_narrow = false;
+  double side = 1.0;
+  Vec2 begin = Vec2::Zero();
+  Vec2 end = Vec2::Zero();
+
+  /// `normal` may have any length `scale`.
+  bool allow(const Vec2& normal, double scale) const {
+    constexpr double kRounding = 1e-8;
+    return !is_narrow ||
+           (side * cross(begin, normal) >= -kRounding * scale && side * cross(normal, end) >= -kRounding * scale);
+  }
+};
 
 /// Calls visit(tangent) for each leg that leaves `from`, gone round on
 /// from_side, and arrives at `to`, gone round on to_side: one where the bodies
@@ -31,7 +47,8 @@ inline Body body_of(const Vec2 &point) {
 /// corner + radius·n with n = -side·J t, so d = L t + (r₂s₂ - r₁s₁) J t for d
 /// from corner to corner, which gives L and t.
 template <class Visit>
-void for_tangents(const Body &from, double from_side, const Body &to, double to_side, Visit &&visit);
+void for_tangents(const Body& from, double from_side, const Body& to, double to_side, const Departures& departures,
+                  Visit&& visit);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -39,7 +56,7 @@ void for_tangents(const Body &from, double from_side, const Body &to, double to_
 inline constexpr double kTangentTouch_m = 1e-9;
 
 /// No corner lies farther out than the touched one, but for rounding.
-inline bool supports(const Body &body, std::uint32_t corner, const Vec2 &normal) {
+inline bool supports(const Body& body, std::uint32_t corner, const Vec2& normal) {
   constexpr double kRounding_m = 1e-10;
   for (std::uint32_t k = 0; k < body.count; ++k) {
     if ((body.corners[k] - body.corners[corner]).dot(normal) > kRounding_m) return false;
@@ -49,7 +66,7 @@ inline bool supports(const Body &body, std::uint32_t corner, const Vec2 &normal)
 
 /// Where a touch lies beyond the end of the corner's arc by less than kTouch_m
 /// can tell: that end; else what it was.
-inline Vec2 onto_arc(const Body &body, std::uint32_t corner, const Vec2 &normal) {
+inline Vec2 onto_arc(const Body& body, std::uint32_t corner, const Vec2& normal) {
   constexpr double kNearlyParallel = 1.0 - 1e-6;
   if (body.count == 1 || supports(body, corner, normal)) return normal;
   for (const std::uint32_t end : {corner, (corner + 1) % body.count}) {
@@ -59,7 +76,8 @@ inline Vec2 onto_arc(const Body &body, std::uint32_t corner, const Vec2 &normal)
 }
 
 template <class Visit>
-void for_tangents(const Body &from, double from_side, const Body &to, double to_side, Visit &&visit) {
+void for_tangents(const Body& from, double from_side, const Body& to, double to_side, const Departures& departures,
+                  Visit&& visit) {
   const double m = to.radius_m * to_side - from.radius_m * from_side;
   for (std::uint32_t i = 0; i < from.count; ++i) {
     for (std::uint32_t j = 0; j < to.count; ++j) {
@@ -71,9 +89,10 @@ void for_tangents(const Body &from, double from_side, const Body &to, double to_
       // Where the ends touch, the root of what is rounding would be a leg.
       const bool touches = length2 <= touch2;
       const double length_m = touches ? 0.0 : std::sqrt(length2);
-      // J t, and from it both normals.
-      const Vec2 across = touches ? Vec2(d * std::copysign(1.0 / std::sqrt(distance2), m))
-                                  : Vec2((length_m * Vec2(-d.y(), d.x()) + m * d) / distance2);
+      // J t, times d²; and from it both normals.
+      const Vec2 scaled = length_m * Vec2(-d.y(), d.x()) + m * d;
+      if (!departures.allow(-from_side * scaled, distance2)) continue;
+      const Vec2 across = touches ? Vec2(d * std::copysign(1.0 / std::sqrt(distance2), m)) : Vec2(scaled / distance2);
       Vec2 from_normal = -from_side * across;
       Vec2 to_normal = -to_side * across;
       double leg_m = length_m;
