@@ -21,7 +21,7 @@ struct GraphPicture {
   Time captured{};  ///< capture time of the world it is made from
   Team team = Team::yellow;
   std::uint64_t world_sequence = 0;  ///< WorldState::sequence it is made from
-  std::vector<Vec2> nodes;           ///< sample points, metres; each robot's own start and goal are not among them
+  std::vector<Vec2> nodes;           ///< samples, and the ends of the tangents that were tested; metres
   std::vector<GraphEdge> edges;      ///< as far as any robot's search evaluated them
   bool operator==(const GraphPicture&) const = default;
 };

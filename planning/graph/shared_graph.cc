@@ -17,6 +17,7 @@ void SharedGraph::reset(ObstacleField field) {
 void SharedGraph::forget() {
   contacts_.reset(field_.size());
   edges_.clear();
+  legs_.clear();
   arena_.clear();
   sampled_.clear();
 }
@@ -80,6 +81,12 @@ GraphPicture SharedGraph::picture() const {
   });
   std::sort(picture.edges.begin(), picture.edges.end(),
             [](const GraphEdge& a, const GraphEdge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
+  for (const Leg& leg : legs_) {
+    const auto node = static_cast<std::uint32_t>(picture.nodes.size());
+    picture.nodes.push_back(leg.from);
+    picture.nodes.push_back(leg.to);
+    picture.edges.push_back({node, node + 1, leg.is_blocked});
+  }
   return picture;
 }
 

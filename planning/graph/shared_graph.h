@@ -48,6 +48,11 @@ class SharedGraph {
   /// again.
   Contacts::Of contacts(ObstacleIndex obstacle, const Body& body) { return contacts_.of(field_, obstacle, body); }
 
+  /// For the picture: a search has tested that leg against all obstacles.
+  void note_leg(const Vec2& from, const Vec2& to, bool is_blocked) {
+    if (legs_.size() < kLegsInPicture) legs_.push_back({from, to, is_blocked});
+  }
+
   /// What has been evaluated so far; captured, team and sequence are left to the caller.
   GraphPicture picture() const;
 
@@ -57,6 +62,13 @@ class SharedGraph {
     BlockerList covering;
     bool covering_known = false;
   };
+  struct Leg {
+    Vec2 from, to;
+    bool is_blocked = false;
+  };
+  /// A picture is to fit into one datagram.
+  static constexpr std::size_t kLegsInPicture = 1000;
+
   struct Sampled {
     NodeId first = 0;
     std::uint32_t count = 0;
@@ -75,6 +87,7 @@ class SharedGraph {
   std::vector<Sampled> sampled_;  ///< by obstacle; empty until samples are asked for
   std::vector<Node> nodes_;       ///< by NodeId, likewise
   EdgeMemo edges_;
+  std::vector<Leg> legs_;
   std::vector<ObstacleIndex> arena_;  ///< all lists of blockers, one after the other
   std::vector<Vec2> scratch_;
 };

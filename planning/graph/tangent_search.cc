@@ -220,6 +220,7 @@ bool TangentSearch::is_open(SharedGraph& graph, const Leg& leg) {
     return false;
   });
   pend_deepest(field, leg.from.point, leg.to.point, blockers_);
+  graph.note_leg(leg.from.point, leg.to.point, !blockers_.empty());
   return blockers_.empty();
 }
 
