@@ -152,7 +152,7 @@ TEST_CASE("[VIS] tables run, published numbers are the data's") {
     const double ratio = std::stod(paper.cell(std::string(name) + "_ratio", "published", "all: means [x]"));
     CHECK(ratio == Approx(std::stod(star) / std::stod(single)));
     check_numbers_are_finite(paper, std::string(name) + "_ratio",
-                             1 + 2 * 2 + 1);  // two RRT* with two budgets, first paths
+                             1 + 3 * 2);  // three RRT*, each with two budgets
   }
 }
 

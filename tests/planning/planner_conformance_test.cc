@@ -4,11 +4,12 @@
 
 #include "planning/graph/visibility_search.h"
 #include "tests/support/planning_conformance.h"
+#include "tests/support/share.h"
 
 namespace regista {
 namespace {
 
-constexpr int kWorlds = 1000;
+constexpr int kWorlds = testing::share_of(1000);
 constexpr int kWorldsForFakes = 50;
 constexpr Guarantees kDeterministic{false, false, true, false};
 

@@ -5,6 +5,7 @@
 
 #include "tests/support/planning_oracles.h"
 #include "tests/support/planning_worlds.h"
+#include "tests/support/share.h"
 #include "tests/support/tangent_oracle.h"
 #include "tests/support/varied_worlds.h"
 
@@ -48,7 +49,7 @@ TEST_CASE("touching leaves a way") {
 
 TEST_CASE("two free points are separated exactly where there is no path") {
   int closed = 0;
-  for (std::uint64_t seed = 0; seed < 6000; ++seed) {
+  for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(testing::share_of(6000)); ++seed) {
     std::mt19937_64 random(seed);
     const ObstacleField field =
         seed % 2 == 0 ? testing::random_field(random, 10 + seed % 30) : testing::varied_field(random, 4 + seed % 12);
@@ -60,7 +61,7 @@ TEST_CASE("two free points are separated exactly where there is no path") {
     CAPTURE(seed);
     REQUIRE(separates(field, request.start, request.goal, request.ignored) == !length_m);
   }
-  CHECK(closed > 100);
+  CHECK(closed > testing::share_of(100));
 }
 
 }  // namespace regista

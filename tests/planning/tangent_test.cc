@@ -10,6 +10,7 @@
 #include "planning/uniform.h"
 #include "tests/support/planning_oracles.h"
 #include "tests/support/planning_worlds.h"
+#include "tests/support/share.h"
 #include "tests/support/tangent_oracle.h"
 #include "tests/support/varied_worlds.h"
 
@@ -24,7 +25,7 @@ class Court {
  public:
   /// What is wrong with the planner's answers, with a query to paste; empty
   /// when nothing is. Worlds whose start or goal is covered are not looked at.
-  std::string fault(const ObstacleField &field, const PlanRequest &request) {
+  std::string fault(const ObstacleField& field, const PlanRequest& request) {
     if (!point_is_free(field, request.start, request.ignored)) return "";
     if (!point_is_free(field, request.goal, request.ignored)) return "";
     expected_m_ = exact_shortest_length(field, request.start, request.goal, request.ignored);
@@ -43,7 +44,7 @@ class Court {
     return wrong + "; expected " + text(expected_m_) + ", found " + std::to_string(search_.length_m()) + " m";
   }
 
-  std::string fault(const ObstacleField &field, const Vec2 &start, const Vec2 &goal) {
+  std::string fault(const ObstacleField& field, const Vec2& start, const Vec2& goal) {
     PlanRequest request;
     request.start = start;
     request.goal = goal;
@@ -55,11 +56,11 @@ class Court {
   int unreachable() const { return unreachable_; }
 
  private:
-  static std::string text(const std::optional<double> &length_m) {
+  static std::string text(const std::optional<double>& length_m) {
     return length_m ? std::to_string(*length_m) + " m" : "no way";
   }
 
-  std::string fault_of_search(const PlanRequest &request) {
+  std::string fault_of_search(const PlanRequest& request) {
     using End = graph::TangentSearch::End;
     const Query query{request.start, request.goal, request.ignored, request.seed, request.budget, {}};
     const End end = search_.find(graph_, query, path_);
@@ -71,7 +72,7 @@ class Court {
     return "";
   }
 
-  std::string fault_of_plan(const PlanRequest &request) {
+  std::string fault_of_plan(const PlanRequest& request) {
     const Plan plan = planner_->plan(graph_, request);
     if (plan.status != (expected_m_ ? PlanStatus::ok : PlanStatus::unreachable)) {
       return std::string("the plan is ") + name(plan.status) + ": " + plan.reason;
@@ -97,7 +98,7 @@ class Court {
 std::mt19937_64 generator(int world) { return std::mt19937_64(static_cast<std::uint64_t>(world)); }
 
 /// A point on the obstacle's boundary, up to rounding, or within the obstacle.
-Vec2 on_boundary(std::mt19937_64 &random, const Obstacle &obstacle) {
+Vec2 on_boundary(std::mt19937_64& random, const Obstacle& obstacle) {
   const Vec2 corner = uniform(random) < 0.5 ? obstacle.a : obstacle.b;
   const int quarters = static_cast<int>(random() % 4);
   const double angle = uniform(random) < 0.5 ? quarters * std::numbers::pi / 2 : uniform(random, -3.0, 3.0);
@@ -106,7 +107,7 @@ Vec2 on_boundary(std::mt19937_64 &random, const Obstacle &obstacle) {
 
 /// Discs, rectangles without radius and capsules on a grid, so that they touch
 /// exactly, share sides and corners, and stand in line.
-ObstacleField grid_field(std::mt19937_64 &random) {
+ObstacleField grid_field(std::mt19937_64& random) {
   std::vector<Obstacle> all;
   const double filled = uniform(random, 0.1, 0.6);
   for (int x = -3; x < 3; ++x) {
@@ -124,7 +125,7 @@ ObstacleField grid_field(std::mt19937_64 &random) {
   return {Bounds{{3, 2}}, all};
 }
 
-Vec2 grid_point(std::mt19937_64 &random) {
+Vec2 grid_point(std::mt19937_64& random) {
   const auto step = [&](int half) {
     return 0.5 * (static_cast<double>(random() % static_cast<unsigned>(4 * half + 1)));
   };
@@ -134,7 +135,7 @@ Vec2 grid_point(std::mt19937_64 &random) {
 
 /// A row of discs from bound to bound, each touching the next: the only ways
 /// through have no width.
-ObstacleField touching_row(std::mt19937_64 &random) {
+ObstacleField touching_row(std::mt19937_64& random) {
   std::vector<Obstacle> all;
   double y = -2.0;
   double x = 0.0;
@@ -156,7 +157,7 @@ ObstacleField touching_row(std::mt19937_64 &random) {
 
 TEST_CASE("in varied worlds tangent agrees with the judge") {
   Court court;
-  for (int world = 0; world < 10000; ++world) {
+  for (int world = 0; world < share_of(10000); ++world) {
     std::mt19937_64 random = generator(world);
     const ObstacleField field = varied_field(random, random() % (world % 4 == 0 ? 26 : 11));
     CAPTURE(world);
@@ -170,7 +171,7 @@ TEST_CASE("in varied worlds tangent agrees with the judge") {
 
 TEST_CASE("on fields of a match's size tangent agrees with the judge") {
   Court court;
-  for (int world = 0; world < 1000; ++world) {
+  for (int world = 0; world < share_of(1000); ++world) {
     std::mt19937_64 random = generator(world);
     const ObstacleField field = random_field(random, static_cast<std::size_t>(world % 50));
     CAPTURE(world);
@@ -181,7 +182,7 @@ TEST_CASE("on fields of a match's size tangent agrees with the judge") {
 
 TEST_CASE("with start and goal on boundaries tangent agrees with the judge") {
   Court court;
-  for (int world = 0; world < 10000; ++world) {
+  for (int world = 0; world < share_of(10000); ++world) {
     std::mt19937_64 random = generator(world);
     const ObstacleField field = varied_field(random, 1 + random() % 6);
     PlanRequest request = random_free_request(random, field);
@@ -196,7 +197,7 @@ TEST_CASE("with start and goal on boundaries tangent agrees with the judge") {
 
 TEST_CASE("on a grid of obstacles that touch exactly tangent agrees with the judge") {
   Court court;
-  for (int world = 0; world < 10000; ++world) {
+  for (int world = 0; world < share_of(10000); ++world) {
     std::mt19937_64 random = generator(world);
     const ObstacleField field = grid_field(random);
     const Vec2 start = grid_point(random);
@@ -209,7 +210,7 @@ TEST_CASE("on a grid of obstacles that touch exactly tangent agrees with the jud
 
 TEST_CASE("through gates of no width tangent agrees with the judge") {
   Court court;
-  for (int world = 0; world < 1000; ++world) {
+  for (int world = 0; world < share_of(1000); ++world) {
     std::mt19937_64 random = generator(world);
     const ObstacleField field = touching_row(random);
     const Vec2 start(-4.5, uniform(random, -2.0, 2.0));
@@ -223,8 +224,8 @@ TEST_CASE("in special worlds tangent agrees with the judge") {
   const Bounds wide{{5, 5}};
   const Bounds corridor{{5, 1}};
   Court court;
-  const auto check = [&](const Bounds &bounds, const std::vector<Obstacle> &obstacles, const Vec2 &start,
-                         const Vec2 &goal) {
+  const auto check = [&](const Bounds& bounds, const std::vector<Obstacle>& obstacles, const Vec2& start,
+                         const Vec2& goal) {
     const ObstacleField field(bounds, obstacles);
     CHECK(court.fault(field, start, goal) == "");
     CHECK(court.fault(field, goal, start) == "");

@@ -10,6 +10,7 @@
 #include "planning/uniform.h"
 #include "tests/support/planning_oracles.h"
 #include "tests/support/planning_worlds.h"
+#include "tests/support/share.h"
 #include "tests/support/varied_worlds.h"
 
 namespace regista::testing {
@@ -140,7 +141,7 @@ TEST_CASE("no planner leads through an obstacle") {
     if (soaked_planner() != nullptr && entry.name != soaked_planner()) continue;
     DYNAMIC_SECTION(entry.name) {
       const int all = entry.guarantees.deterministic ? kQueries : kQueriesOfRandomPlanners;
-      const int queries = soaked_planner() != nullptr ? all : all / kShareInTests;
+      const int queries = soaked_planner() != nullptr ? all : share_of(all / kShareInTests);
       Soak soak(entry);
       REQUIRE(soak.run(queries) == "");
       CHECK(soak.answered() == queries);
