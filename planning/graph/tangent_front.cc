@@ -1,0 +1,275 @@
+#include "planning/graph/tangent_front.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "planning/graph/taut_path.h"
+
+namespace regista::graph {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kStartState = kNone - 1;
+constexpr std::uint32_t kGoalState = kNone - 2;
+constexpr std::uint32_t kStart = 0;  // the first leg
+
+constexpr int kLegsPerTimeCheck = 64;
+
+/// A search that takes so long may be hopeless: then it is proved that there is no way, instead of trying them all. It
+/// goes on a little for a path that leads near the goal.
+constexpr int kLegsBeforeProof = 64;
+constexpr int kLegsWithoutHope = 192;
+
+/// A place counts as not beyond another (in order).
+constexpr double kSamePlace = 1e-9;
+
+/// Costs that differ by less are equal. Metres.
+constexpr double kRounding_m = 1e-12;
+
+double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
+
+}  // namespace
+
+TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
+  for (const int end = legs_tested_ + legs; legs_tested_ < end;) {
+    if (queue_.empty()) return Progress::no_way;
+    const Queued next = queue_.front();
+    std::pop_heap(queue_.begin(), queue_.end(), later);
+    queue_.pop_back();
+    ++legs_tested_;
+    if (legs_tested_ % kLegsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
+    if (legs_tested_ == kLegsBeforeProof) {
+      is_separated_ = separation_.separates(graph.field(), query_.start, query_.goal, query_.ignored);
+    }
+    if (is_separated_ && legs_tested_ >= kLegsWithoutHope) return Progress::no_way;
+    const Leg& leg = legs_[next.leg];
+    if (!is_open(graph, leg)) {
+      activate_pending(graph);
+      continue;
+    }
+    if (leg.state == kGoalState) {
+      length_m_ = leg.cost;
+      last_ = next.leg;
+      return Progress::goal;
+    }
+    const double to_goal_m = next.estimate - leg.cost;
+    if (expand(graph, next.leg) && to_goal_m < nearest_m_) {
+      last_ = next.leg;
+      nearest_m_ = to_goal_m;
+    }
+    activate_pending(graph);
+  }
+  return Progress::going_on;
+}
+
+void TangentFront::begin(SharedGraph& graph, const Query& query) {
+  query_ = query;
+  field_ = &graph.field();
+  start_ = body_of(query.start);
+  goal_ = body_of(query.goal);
+  slots_.clear();
+  active_.clear();
+  active_boxes_.clear();
+  is_active_.assign(graph.field().size(), 0);
+  expanded_here_.clear();
+  legs_.clear();
+  expanded_.clear();
+  queue_.clear();
+  pending_.clear();
+  recent_.fill(kBounds);
+  departures_ = {};
+  legs_tested_ = 0;
+  is_separated_ = false;
+  last_ = kStart;
+  nearest_m_ = (query.goal - query.start).norm();
+  Leg start;
+  start.to.point = query.start;
+  start.state = kStartState;
+  start.reach = std::numeric_limits<double>::infinity();
+  legs_.push_back(start);
+  expanded_.push_back(kStart);
+  if (query.straight_blockers.empty()) {
+    depart(kStart, goal_, 1.0, kGoalState);
+  } else {
+    pend_deepest(graph.field(), query.start, query.goal, query.straight_blockers);
+    activate_pending(graph);
+  }
+}
+
+bool TangentFront::later(const Queued& a, const Queued& b) {
+  return a.estimate != b.estimate ? a.estimate > b.estimate : a.leg > b.leg;
+}
+
+/// Queues all departures from where the leg arrives; false when an earlier arrival has made them all.
+bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
+  Leg& leg = legs_[index];
+  const Slot& slot = slots_[leg.state / 2];
+  const double side = side_of(leg.state);
+  const std::span<const Cut> cuts = graph.contacts(slot.obstacle, slot.body).cuts;
+  LegIndex& here = expanded_here_[leg.state];
+  if (!cuts.empty() || here != kNone) leg.order = order_of(slot.body, leg.to);
+  for (LegIndex other = here; other != kNone; other = legs_[other].next_here) {
+    const Leg& earlier = legs_[other];
+    if (earlier.cost + travel_m(slot.body, earlier.to, leg.to, side) > leg.cost + kRounding_m) continue;
+    const double order = earlier.reach < slot.body.period ? earlier.order : order_of(slot.body, earlier.to);
+    if (ahead(slot.body, order, leg.order, side) <= earlier.reach + kSamePlace) return false;
+  }
+  leg.reach = slot.body.period;
+  ObstacleIndex stopped_by = kBounds;
+  for (const Cut& cut : cuts) {
+    if (cut.other != kBounds && is_ignored(cut.other, query_.ignored)) continue;
+    const double distance = cut.is_whole ? 0.0 : ahead(slot.body, leg.order, side > 0.0 ? cut.from : cut.to, side);
+    if (distance >= leg.reach) continue;
+    leg.reach = distance;
+    stopped_by = cut.other;
+  }
+  if (stopped_by != kBounds && is_active_[stopped_by] == 0) pending_.push_back(stopped_by);
+  leg.next_here = here;
+  here = index;
+  expanded_.push_back(index);
+  set_departures(leg);
+  const auto slots = static_cast<State>(slots_.size());
+  for (State other = 0; other < slots; ++other) depart_to_slot(index, other);
+  depart(index, goal_, 1.0, kGoalState);
+  return true;
+}
+
+/// From the leg's end as far as its reach.
+void TangentFront::set_departures(const Leg& leg) {
+  departures_.is_narrow = false;
+  if (leg.state == kStartState || slots_[leg.state / 2].body.count != 1) return;
+  constexpr double kHalfRound = 2.0;  // in order, exactly
+  constexpr double kSurely = 0.01;
+  if (leg.reach > kHalfRound - kSurely) return;
+  const double side = side_of(leg.state);
+  departures_ = {true, side, leg.to.normal, disc_normal(leg.order + side * leg.reach)};
+}
+
+void TangentFront::depart_to_slot(LegIndex index, State slot) {
+  const Leg& leg = legs_[index];
+  if (leg.state != kStartState && leg.state / 2 == slot) return;
+  for (const State side : {0U, 1U}) depart(index, slots_[slot].body, side_of(side), 2 * slot + side);
+}
+
+void TangentFront::depart(LegIndex index, const Body& to, double to_side, State state) {
+  const Leg& leg = legs_[index];
+  const bool is_start = leg.state == kStartState;
+  const Body& from = is_start ? start_ : slots_[leg.state / 2].body;
+  const double side = is_start ? 1.0 : side_of(leg.state);
+  const bool is_cut = !is_start && leg.reach < from.period;
+  for_tangents(from, side, to, to_side, departures_, [&](const Tangent& tangent) {
+    const Leg& arrival = legs_[index];
+    if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
+    if (!is_free_of_active(arrival.state, state, {tangent.from.point, tangent.to.point, tangent.along})) return;
+    const double along_m = is_start ? 0.0 : travel_m(from, arrival.to, tangent.from, side);
+    const double cost = arrival.cost + along_m + tangent.length_m;
+    queue_.push_back({cost + (goal_.corners[0] - tangent.to.point).norm(), static_cast<LegIndex>(legs_.size())});
+    std::push_heap(queue_.begin(), queue_.end(), later);
+    legs_.push_back({tangent.from, tangent.to, tangent.along, cost, 0.0, 0.0, index, state, kNone,
+                     static_cast<std::uint32_t>(active_.size())});
+  });
+}
+
+/// The obstacle that a leg with this state touches; kBounds for the ends.
+ObstacleIndex TangentFront::body_at(State state) const {
+  return state / 2 < slots_.size() ? slots_[state / 2].obstacle : kBounds;
+}
+
+/// Both ends' bodies are touched, not crossed.
+bool TangentFront::is_free_of_active(State from_state, State to_state, const ObstacleBoxes::Motion& motion) {
+  const ObstacleIndex from = body_at(from_state);
+  const ObstacleIndex to = body_at(to_state);
+  const auto blocks = [&](ObstacleIndex i) {
+    return i != from && i != to && !is_free(motion.from, motion.to, field_->obstacles()[i]);
+  };
+  // What blocked a leg blocks its neighbours as well.
+  for (std::size_t k = 0; k < recent_.size(); ++k) {
+    if (recent_[k] == kBounds || !blocks(recent_[k])) continue;
+    if (k > 0) std::swap(recent_[k], recent_[k - 1]);
+    return false;
+  }
+  bool is_blocked = false;
+  active_boxes_.visit_near(motion, [&](ObstacleIndex i) {
+    is_blocked = blocks(i);
+    if (is_blocked) recent_.back() = i;
+    return is_blocked;
+  });
+  return !is_blocked;
+}
+
+/// Nothing blocks the leg; else what does is active or will be.
+bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
+  const ObstacleField& field = graph.field();
+  if (!is_inside(leg.to.point, field.bounds())) return false;
+  const ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
+  const bool is_news = leg.free_of < active_.size();
+  if (is_news && !is_free_of_active(legs_[leg.parent].state, leg.state, motion)) return false;
+  // Most legs that fail have failed by now; the others show what else has to be gone round.
+  blockers_.clear();
+  field.visit_candidates(motion, [&](ObstacleIndex i) {
+    if (is_active_[i] != 0 || is_ignored(i, query_.ignored)) return false;
+    if (!is_free(leg.from.point, leg.to.point, field.obstacles()[i])) blockers_.push_back(i);
+    return false;
+  });
+  pend_deepest(field, leg.from.point, leg.to.point, blockers_);
+  graph.note_leg(leg.from.point, leg.to.point, !blockers_.empty());
+  return blockers_.empty();
+}
+
+/// One of them is enough to drop a leg; the one that is crossed deepest is the one most worth going round.
+void TangentFront::pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
+                                std::span<const ObstacleIndex> blockers) {
+  if (blockers.empty()) return;
+  ObstacleIndex deepest = blockers.front();
+  double least_m = 0.0;
+  for (const ObstacleIndex i : blockers) {
+    if (blockers.size() == 1) break;
+    const double clearance_m = clearance(from, to, field.obstacles()[i]);
+    if (clearance_m >= least_m) continue;
+    least_m = clearance_m;
+    deepest = i;
+  }
+  pending_.push_back(deepest);
+}
+
+void TangentFront::activate(SharedGraph& graph, ObstacleIndex obstacle) {
+  is_active_[obstacle] = 1;
+  active_.push_back(obstacle);
+  active_boxes_.append(graph.field().obstacles()[obstacle], obstacle);
+  slots_.push_back({body_of(graph.field().obstacles()[obstacle]), obstacle});
+  expanded_here_.resize(2 * slots_.size(), kNone);
+  const auto slot = static_cast<State>(slots_.size() - 1);
+  for (const LegIndex leg : expanded_) {
+    set_departures(legs_[leg]);
+    depart_to_slot(leg, slot);
+  }
+}
+
+void TangentFront::activate_pending(SharedGraph& graph) {
+  for (const ObstacleIndex obstacle : pending_) {
+    if (is_active_[obstacle] == 0) activate(graph, obstacle);
+  }
+  pending_.clear();
+}
+
+void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
+  chain_.clear();
+  for (LegIndex leg = last_; leg != kStart; leg = legs_[leg].parent) chain_.push_back(leg);
+  path.clear();
+  path.push_back(query_.start);
+  for (std::size_t i = chain_.size(); i-- > 0;) {
+    const Leg& leg = legs_[chain_[i]];
+    if (leg.state == kGoalState) {
+      path.push_back(query_.goal);
+      return;
+    }
+    if (i == 0) {
+      path.push_back(leg.to.point);
+      return;
+    }
+    const Slot& slot = slots_[leg.state / 2];
+    append_arc(graph, slot.obstacle, slot.body, {leg.to, legs_[chain_[i - 1]].from, side_of(leg.state)}, path);
+  }
+}
+
+}  // namespace regista::graph

@@ -1,0 +1,102 @@
+// One search for the shortest path over common tangents and the arcs between them: lazy A* from one end, a few legs at
+// a time.
+#pragma once
+
+#include "planning/graph/separation.h"
+#include "planning/graph/shared_graph.h"
+#include "planning/graph/tangents.h"
+#include "planning/plan.h"
+#include "planning/request.h"
+
+namespace regista::graph {
+
+/// A shortest path is a taut string: legs along common tangents, arcs along boundaries. A node of the search is a leg
+/// with the arc that leads to it; its end is a boundary and the side on which it is gone round. Only active obstacles
+/// have tangents: none at first; one becomes active when it blocks a leg or an arc that the search is about to use.
+/// Whatever the search drops is blocked by an active obstacle, so the first free path that is the cheapest among the
+/// active ones is the shortest of all, and an empty queue proves that there is none.
+/// The answer depends on field and query alone. Only scratch memory is kept between two searches.
+class TangentFront {
+ public:
+  enum class Progress { going_on, goal, no_way, no_time };
+
+  /// Begins at the query's start.
+  void begin(SharedGraph& graph, const Query& query);
+
+  /// Tests so many more legs, unless it ends before. no_way is a proof. The time is asked for once in 64 legs.
+  Progress advance(SharedGraph& graph, int legs);
+
+  /// After goal: from the start to it, arcs as circumscribed polylines at most kArcExcess longer. Else to the arrival
+  /// nearest to the goal, which may be the start alone.
+  void trace(SharedGraph& graph, std::vector<Vec2>& path);
+
+  /// Exact length of the way to the goal, arcs as arcs. Metres.
+  double length_m() const { return length_m_; }
+
+  /// Obstacles the last search went round, or tried to, in the order in which they became active.
+  std::span<const ObstacleIndex> active() const { return active_; }
+
+ private:
+  using LegIndex = std::uint32_t;
+  using State = std::uint32_t;  ///< a slot and a side, or one of the ends
+
+  struct Slot {
+    Body body;
+    ObstacleIndex obstacle = 0;
+  };
+  struct Leg {
+    Place from, to;
+    Vec2 along = Vec2::Zero();  ///< unit
+    double cost = 0.0;          ///< length from the start to the leg's end
+    /// Once expanded: how far ahead (in order) a path can go on, and, where not all round, the order of the end.
+    double reach = 0.0;
+    double order = 0.0;
+    LegIndex parent = 0;
+    State state = 0;            ///< where it arrives
+    LegIndex next_here = 0;     ///< another expanded leg that arrives at this state
+    std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
+  };
+  struct Queued {
+    double estimate;  ///< cost + straight line to the goal
+    LegIndex leg;
+  };
+
+  bool expand(SharedGraph& graph, LegIndex leg);
+  void set_departures(const Leg& leg);
+  void depart_to_slot(LegIndex leg, State slot);
+  void depart(LegIndex leg, const Body& to, double to_side, State state);
+  bool is_open(SharedGraph& graph, const Leg& leg);
+  bool is_free_of_active(State from, State to, const ObstacleBoxes::Motion& motion);
+  ObstacleIndex body_at(State state) const;
+  void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
+                    std::span<const ObstacleIndex> blockers);
+  void activate(SharedGraph& graph, ObstacleIndex obstacle);
+  void activate_pending(SharedGraph& graph);
+
+  static bool later(const Queued& a, const Queued& b);
+
+  Query query_;  ///< of the search that runs
+  const ObstacleField* field_ = nullptr;
+  Body start_, goal_;
+  std::vector<Slot> slots_;
+  std::vector<ObstacleIndex> active_;
+  ObstacleBoxes active_boxes_;           ///< the same, for fast tests
+  std::vector<std::uint8_t> is_active_;  ///< by obstacle
+  std::vector<LegIndex> expanded_here_;  ///< by state: the first of a list
+  std::vector<Leg> legs_;                ///< the first is the start
+  std::vector<LegIndex> expanded_;
+  std::vector<Queued> queue_;  ///< a heap, least estimate first
+  std::vector<ObstacleIndex> pending_;
+  std::array<ObstacleIndex, 4> recent_{};  ///< active obstacles that blocked something lately
+  std::vector<ObstacleIndex> blockers_;
+  std::vector<LegIndex> chain_;
+  Separation separation_;
+  Departures departures_;  ///< of the leg that is being expanded
+  int legs_tested_ = 0;
+  bool is_separated_ = false;
+  LegIndex last_ = 0;  ///< of the way to the goal, or to the arrival nearest to it
+  double nearest_m_ = 0.0;
+  double length_m_ = 0.0;
+};
+
+}  // namespace regista::graph
