@@ -10,7 +10,7 @@
 namespace regista::bench {
 
 struct PaperOptions {
-  std::size_t samples = 0;  ///< per planner and scenario; 0: as many as the paper took
+  std::size_t samples = 0;  ///< per planner and scenario; 0: as many as the paper took, or the data file says
   double budget_us = 0.0;   ///< time per query; 0: the paper's, which is none where it names none
 };
 
