@@ -45,19 +45,20 @@ class CornerArc {
   std::vector<Vec2>& path_;
 };
 
-/// Normals of a corner that point straight at what lies near: there a leg must touch, for the tangent separates both.
-void find_breaks(const SharedGraph& graph, std::span<const ObstacleIndex> brushes, const Vec2& corner,
-                 std::vector<Vec2>& breaks) {
+/// Calls visit(normal) for the normals of a corner that point straight at what lies near: there a leg must touch, for
+/// the tangent separates both.
+template <class Visit>
+void for_breaks(const SharedGraph& graph, std::span<const ObstacleIndex> brushes, const Vec2& corner, Visit&& visit) {
   for (const ObstacleIndex brush : brushes) {
     if (brush == kBounds) {
-      for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) breaks.push_back(axis);
+      for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) visit(axis);
       continue;
     }
     const Obstacle& other = graph.field().obstacles()[brush];
     const Vec2 nearest = other.core == Core::rectangle ? Vec2(corner.cwiseMax(other.a).cwiseMin(other.b))
                                                        : nearest_on_segment(corner, other.a, other.b);
     const Vec2 towards = nearest - corner;
-    if (towards.squaredNorm() > 0.0) breaks.push_back(towards.normalized());
+    if (towards.squaredNorm() > 0.0) visit(Vec2(towards.normalized()));
   }
 }
 
@@ -71,16 +72,20 @@ void append_corner(const SharedGraph& graph, std::span<const ObstacleIndex> brus
   CornerArc corner_arc(centre, body.radius_m, arc.side, path);
   const double angle_rad = turn(arc.from.normal, arc.to.normal, arc.side);
   Vec2 from = arc.from.normal;
-  if (!brushes.empty()) {
-    std::vector<Vec2> breaks;
-    find_breaks(graph, brushes, centre, breaks);
-    const auto turn_to = [&](const Vec2& normal) { return turn(arc.from.normal, normal, arc.side); };
-    std::sort(breaks.begin(), breaks.end(), [&](const Vec2& a, const Vec2& b) { return turn_to(a) < turn_to(b); });
-    for (const Vec2& normal : breaks) {
-      if (turn_to(normal) <= kNoTurn_rad || turn_to(normal) >= angle_rad - kNoTurn_rad) continue;
-      corner_arc.append_between(from, normal);
-      from = normal;
-    }
+  // Breaks are few: the next one is looked for among all.
+  for (double from_rad = 0.0; !brushes.empty();) {
+    double next_rad = angle_rad - kNoTurn_rad;
+    Vec2 next = from;
+    for_breaks(graph, brushes, centre, [&](const Vec2& normal) {
+      const double normal_rad = turn(arc.from.normal, normal, arc.side);
+      if (normal_rad <= from_rad + kNoTurn_rad || normal_rad >= next_rad) return;
+      next_rad = normal_rad;
+      next = normal;
+    });
+    if (next == from) break;
+    corner_arc.append_between(from, next);
+    from = next;
+    from_rad = next_rad;
   }
   corner_arc.append_between(from, arc.to.normal);
 }
