@@ -28,7 +28,8 @@ RobotState robot_at(Team team, std::size_t number, const Vec2& place) {
 WorldState random_world(std::mt19937_64& random, const FieldGeometry& field, double robot_radius_m) {
   const Bounds bounds{half_extent(field, robot_radius_m)};
   const auto in_an_area = [&field](const Vec2& p) { return is_in_area(p, -1.0, field) || is_in_area(p, 1.0, field); };
-  const std::vector<Vec2> places = places_apart(random, bounds, 2 * (kTeamSize - 1), 2.0 * robot_radius_m, in_an_area);
+  const std::vector<Vec2> places =
+      places_apart(random, bounds, std::size_t{2} * (kTeamSize - 1), 2.0 * robot_radius_m, in_an_area);
   // Two radii inside, away from those who stand at the line.
   const double apart_m = 2.0 * robot_radius_m;
   const auto keeper_place = [&](double side) {

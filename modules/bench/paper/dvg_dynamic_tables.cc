@@ -20,6 +20,7 @@ int run_table(const std::string& number, const std::string& title, const std::st
   const Published published = published_of("table" + number);
   const std::vector<DriveLog> logs = both_scenarios(options, run, checker);
   std::vector<Sampled> sampled;
+  sampled.reserve(logs.size());
   for (const DriveLog& log : logs) sampled.push_back({log.where, what, log.who, log.*values, log.lost});
   Table table = comparison("dvg-table" + number + ": " + title, published, sampled);
   table.notes = notes_of(logs);

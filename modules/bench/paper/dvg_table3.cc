@@ -30,6 +30,7 @@ std::vector<Sampled> watch(std::size_t number, double duration_s, std::uint64_t 
   LockStep loop{Time{}};
   const WholeLoop modules = add_whole_loop(loop, config, [] { return std::int64_t{0}; });
   std::vector<Sampled> sampled;
+  sampled.reserve(std::size(kGroupDistances_m));
   for (const double distance_m : kGroupDistances_m) {
     sampled.push_back({fmt::format("d_group {} m", distance_m), "group", fmt::format("crowd {}", number + 1), {}});
   }
@@ -65,6 +66,7 @@ int run_dvg_table3(const PaperOptions& options, const Run& run) {
       fmt::format("{} s each, looked at every {} s; a sample is a group, a robot alone is a group of one",
                   kSampled_s * static_cast<double>(samples), kEvery_s)};
   report.add("dvg_table3", table);
+  sampled.reserve(std::size(kGroupDistances_m));
   for (const double distance_m : kGroupDistances_m) {
     const std::string where = fmt::format("d_group {} m", distance_m);
     report.add(distance_m < 1.0 ? "dvg_table3_near" : "dvg_table3_far",

@@ -15,7 +15,7 @@ Vec2 free_point(const World& world, const Vec2& x_m, std::mt19937_64& random) {
   for (int i = 0; i < kTries; ++i) {
     const double x = uniform(random, x_m[0], x_m[1]);
     const double half_m = world.bounds.half_extent_m.y();
-    const Vec2 point(x, uniform(random, -half_m, half_m));
+    Vec2 point(x, uniform(random, -half_m, half_m));
     const auto is_clear = [&](const Obstacle& obstacle) { return is_free(point, obstacle); };
     if (std::all_of(world.obstacles.begin(), world.obstacles.end(), is_clear)) return point;
   }
