@@ -12,16 +12,22 @@
 namespace regista {
 
 struct PlanningParams {
-  double robot_radius_m = 0.09;     ///< the largest legal body (SSL rules, "Robot shape")
-  double team_margin_m = 0.03;      ///< between bodies of one team; estimate noise and tracking error fit in
-  double opponent_margin_m = 0.04;  ///< to opponents' bodies, whose motion is known less well
-  double area_margin_m = 0.01;      ///< between a body and a defence area
-  double wall_margin_m = 0.005;     ///< between a body and the goals' walls
-  double stretch_horizon_s = 0.0;   ///< moving robots become capsules this far along their velocity; 0: discs
-  double stretch_max_m = 1.0;       ///< cap of that length
-  std::int64_t iterations = 2500;   ///< samples a random planner may draw (N of Costa & Tonidandel)
-  std::int64_t budget_us = 0;       ///< time per robot, 0: none
-  std::int64_t seed = 1;            ///< of random planners
+  double robot_radius_m = 0.09;            ///< the largest legal body (SSL rules, "Robot shape")
+  double team_margin_m = 0.03;             ///< between bodies of one team; estimate noise and tracking error fit in
+  double opponent_margin_m = 0.04;         ///< to opponents' bodies, whose motion is known less well
+  double area_margin_m = 0.01;             ///< between a body and a defence area
+  double wall_margin_m = 0.005;            ///< between a body and the goals' walls
+  double stretch_horizon_s = 0.0;          ///< moving robots become capsules this far along their velocity; 0: discs
+  double stretch_max_m = 1.0;              ///< cap of that length
+  double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
+  double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
+  double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
+  /// Share of the length a new path must be shorter to change sides.
+  double side_change_gain = 0.05;
+  std::int64_t iterations = 2500;  ///< samples a random planner may draw (N of Costa & Tonidandel)
+  std::int64_t budget_us = 0;      ///< time per robot; 0: a random planner's is its share of frame_period_s
+  double frame_period_s = 0.01;    ///< of the cameras; 0: unknown, and no limit comes from it
+  std::int64_t seed = 1;           ///< of random planners
   RrtParams rrt;
   IterativeRrtParams irrt;
   ErrtParams errt;
@@ -42,8 +48,19 @@ struct PlanningParams {
     v("stretch_horizon_s", self.stretch_horizon_s, Range{0.0, 2.0}, "s",
       "moving robots are stretched this far along their velocity; 0: not");
     v("stretch_max_m", self.stretch_max_m, Range{0.0, 5.0}, "m", "longest stretch of a moving robot");
+    v("growth_radius_max_m", self.growth_radius_max_m, Range{0.0, 10.0}, "m",
+      "robots grow with their distance from the goal, up to this radius (own body and margin included); 0: not");
+    v("growth", self.growth, Range{0.0, 1.0}, "", "radius gained per distance from the goal");
+    v("growth_unchanged_within_m", self.growth_unchanged_within_m, Range{0.0, 100.0}, "m",
+      "no growth this near to the goal");
+    v("side_change_gain", self.side_change_gain, Range{0.0, 10.0}, "",
+      "a path that passes an obstacle on another side than the one followed must be shorter by this share; 0: need "
+      "not");
     v("iterations", self.iterations, Range{0.0, 1e9}, "", "samples a random planner may draw per robot");
-    v("budget_us", self.budget_us, Range{0.0, 1e9}, "us", "time for one robot's plan; 0: no limit");
+    v("budget_us", self.budget_us, Range{0.0, 1e9}, "us",
+      "time for one robot's plan; 0: frame_period_s / robots of the team for random planners, no limit for others");
+    v("frame_period_s", self.frame_period_s, Range{0.0, 10.0}, "s",
+      "of the cameras, for budget_us; 0: no limit (lock step, which has no clock, always sets both to 0)");
     v("seed", self.seed, Range{0.0, 9e15}, "", "seed of random planners");
     v.group("rrt", self.rrt);
     v.group("irrt", self.irrt);

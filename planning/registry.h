@@ -36,7 +36,7 @@ struct UnknownPlanner : std::runtime_error {
 };
 
 /// What a team plans with until it is told otherwise.
-inline constexpr std::string_view kDefaultPlanner = "visibility_sampling";
+inline constexpr std::string_view kDefaultPlanner = "tangent";
 
 std::span<const PlannerEntry> planners();
 

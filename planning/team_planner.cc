@@ -4,12 +4,14 @@
 #include <stdexcept>
 #include <string>
 
+#include "planning/obstacle_growth.h"
 #include "planning/uniform.h"
 
 namespace regista {
 namespace {
 
 constexpr std::int64_t kNanosecondsPerMicrosecond = 1000;
+constexpr double kNanosecondsPerSecond = 1e9;
 
 std::int64_t read(const TeamPlanner::Stopwatch* stopwatch) { return stopwatch != nullptr ? (*stopwatch)() : 0; }
 
@@ -51,12 +53,13 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
   graph_.reset(std::move(obstacles.field));
   captured_ = world.captured;
   world_sequence_ = world.sequence;
+  const std::int64_t robot_budget_ns = stopwatch != nullptr ? budget_ns(targets.targets.size()) : 0;
   TeamPlans out;
   for (const Target& target : targets.targets) {
     const RobotState* robot = find_robot(world, {team_, target.robot});
     if (robot == nullptr) continue;
     const std::int64_t began = read(stopwatch);
-    Plan plan = plan_robot(obstacles, *robot, target, stopwatch);
+    Plan plan = plan_robot(obstacles, *robot, target, stopwatch, robot_budget_ns);
     if (stopwatch != nullptr) out.durations_ns.push_back(read(stopwatch) - began);
     out.plans.push_back({robot->id, world.captured, world.sequence, targets.sequence, 0, std::string(entry_->name),
                          generation_, target, std::move(plan)});
@@ -70,8 +73,17 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
   return out;
 }
 
+/// 0: no limit.
+std::int64_t TeamPlanner::budget_ns(std::size_t robots) const {
+  if (params_.budget_us > 0) return params_.budget_us * kNanosecondsPerMicrosecond;
+  // Planners that are not random end by themselves, long before; a share would only cost plans when the machine halts.
+  if (entry_->guarantees.deterministic || robots == 0) return 0;
+  // Pinheiro, Maximo & Yoneyama (LARS 2020), equation 2.
+  return static_cast<std::int64_t>(params_.frame_period_s * kNanosecondsPerSecond / static_cast<double>(robots));
+}
+
 Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const RobotState& robot, const Target& target,
-                             const Stopwatch* stopwatch) {
+                             const Stopwatch* stopwatch, std::int64_t budget_ns) {
   PlanRequest request;
   request.start = robot.pose.position_m;
   request.goal = target.pose.position_m;
@@ -79,15 +91,35 @@ Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const RobotState& r
   request.seed = mixed(mixed(static_cast<std::uint64_t>(params_.seed), world_sequence_), robot.id.number);
   request.budget.iterations = params_.iterations;
   std::function<bool()> out_of_time;
-  if (stopwatch != nullptr && params_.budget_us > 0) {
-    const std::int64_t deadline = read(stopwatch) + params_.budget_us * kNanosecondsPerMicrosecond;
+  if (budget_ns > 0) {
+    const std::int64_t deadline = read(stopwatch) + budget_ns;
     out_of_time = [stopwatch, deadline] { return read(stopwatch) >= deadline; };
     request.budget.out_of_time = &out_of_time;
   }
   if (const auto previous = previous_paths_.find(robot.id.number); previous != previous_paths_.end()) {
     request.previous_path = previous->second;
   }
-  return plan_or_invalid(*planner_, graph_, request);
+  return plan_in_field(obstacles, request);
+}
+
+Plan TeamPlanner::plan_in_field(const TeamObstacles& obstacles, const PlanRequest& request) {
+  graph::SharedGraph* graph = &graph_;
+  Plan plan;
+  if (params_.growth_radius_max_m > 0.0) {
+    grow(graph_.field().obstacles(), obstacles.robots.size(), request.start, request.goal, params_, grown_);
+    grown_graph_.reset(graph_.field().bounds(), grown_);
+    graph = &grown_graph_;
+    plan = plan_or_invalid(*planner_, *graph, request);
+  }
+  // Growth may close the only gap; a narrow way is better than none.
+  if (plan.status != PlanStatus::ok) {
+    graph = &graph_;
+    plan = plan_or_invalid(*planner_, *graph, request);
+  }
+  if (params_.side_change_gain > 0.0) {
+    side_keeper_.keep(*planner_, graph->field(), request, params_.side_change_gain, plan);
+  }
+  return plan;
 }
 
 GraphPicture TeamPlanner::picture() const {

@@ -9,6 +9,7 @@
 #include "planning/obstacle_rules.h"
 #include "planning/plan.h"
 #include "planning/registry.h"
+#include "planning/side_keeping.h"
 
 namespace regista {
 
@@ -37,9 +38,9 @@ class TeamPlanner {
   Team team() const { return team_; }
 
   /// Targets of robots that are not in the world are left out; a target that makes no sense is answered by a plan of
-  /// status invalid. Without stopwatch the answer is a function of the arguments and of the paths answered before (only
-  /// planners that are not deterministic look at these), and budget_us is not honoured. Throws std::invalid_argument
-  /// where obstacles_for does, and for targets of the other team or two for one robot.
+  /// status invalid. A robot stays on its side of obstacles (side_change_gain). Without stopwatch the answer is a
+  /// function of the arguments and of the paths answered in the frame before, and no time limit is honoured. Throws
+  /// std::invalid_argument where obstacles_for does, and for targets of the other team or two for one robot.
   TeamPlans plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
                  const Stopwatch* stopwatch = nullptr);
 
@@ -48,7 +49,9 @@ class TeamPlanner {
 
  private:
   Plan plan_robot(const TeamObstacles& obstacles, const RobotState& robot, const Target& target,
-                  const Stopwatch* stopwatch);
+                  const Stopwatch* stopwatch, std::int64_t budget_ns);
+  Plan plan_in_field(const TeamObstacles& obstacles, const PlanRequest& request);
+  std::int64_t budget_ns(std::size_t robots) const;
 
   Team team_;
   PlanningParams params_;
@@ -56,6 +59,9 @@ class TeamPlanner {
   std::unique_ptr<Planner> planner_;
   std::uint64_t generation_ = 0;
   graph::SharedGraph graph_;
+  graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
+  std::vector<Obstacle> grown_;
+  SideKeeper side_keeper_;
   Time captured_{};
   std::uint64_t world_sequence_ = 0;
   std::map<std::uint16_t, std::vector<Vec2>> previous_paths_;

@@ -1,10 +1,12 @@
 #include "modules/lockstep/scenario_run.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "logs/log_writer.h"
 #include "modules/lockstep/whole_loop.h"
+#include "modules/setup/module_setup.h"
 
 namespace regista {
 namespace {
@@ -92,6 +94,11 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
   LockStep loop{Time{}};
   PlanningTimes planning(loop.bus());
   const WholeLoop modules = add_whole_loop(loop, config, stopwatch);
+  const auto side_changes_of = [&](Team team) {
+    return std::make_unique<SideChanges>(loop.bus(), team, planner_params_of(config, team).planning);
+  };
+  const auto yellow_side_changes = side_changes_of(Team::yellow);
+  const auto blue_side_changes = side_changes_of(Team::blue);
   // After the modules: a configuration that they refuse must not cost an older log.
   std::optional<Recorder> recorder;
   if (!options.log_file.empty()) recorder.emplace(loop, options.log_file);
@@ -115,6 +122,8 @@ RunSummary run_scenario(const Config& config, const RunOptions& options, const S
   summary.wall_s = static_cast<double>(stopwatch() - begin_ns) * 1e-9;
   summary.simulated_s = to_seconds(loop.now() - Time{});
   note_score(summary, modules);
+  summary.side_changes_yellow = yellow_side_changes->rate();
+  summary.side_changes_blue = blue_side_changes->rate();
   summary.violations = judge.finish();
   summary.robot_planning = planning.robot();
   summary.team_planning = planning.team();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "modules/lockstep/side_changes.h"
 #include "modules/process/config.h"
 #include "modules/process/percentiles.h"
 #include "modules/process/real_clock.h"
@@ -19,6 +20,8 @@ struct RunSummary {
   std::int64_t reached_yellow = 0;
   std::int64_t reached_blue = 0;
   ContactCounts contacts;
+  SideChangeRate side_changes_yellow;
+  SideChangeRate side_changes_blue;
   Percentiles robot_planning;  ///< one robot's plan
   Percentiles team_planning;   ///< a team's tick of the planner, graph included
   Percentiles frame;           ///< from one vision frame to the next, everything included

@@ -11,6 +11,10 @@ std::string times(const char* what, const Percentiles& p) {
                      p.count);
 }
 
+std::string rates(const char* what, double yellow, double blue) {
+  return fmt::format("  {:<28} {:>10.1f} {:>10.1f}\n", what, yellow, blue);
+}
+
 }  // namespace
 
 std::string to_table(const RunSummary& summary) {
@@ -25,6 +29,8 @@ std::string to_table(const RunSummary& summary) {
   table += fmt::format("  {:<28} {:>10} {:>10}\n", "contacts with opponents", contacts.opponent, contacts.opponent);
   table +=
       fmt::format("  {:<28} {:>10} {:>10}\n", "  of these at fault", contacts.at_fault_yellow, contacts.at_fault_blue);
+  table += rates("side changes/robot/minute", summary.side_changes_yellow.all, summary.side_changes_blue.all);
+  table += rates("  of these within 0.2 s", summary.side_changes_yellow.quick, summary.side_changes_blue.quick);
   table += fmt::format("  {:<28} {:>10} {:>10} {:>10} {:>10}\n", "time in us", "p50", "p99", "max", "count");
   table += times("planning, one robot", summary.robot_planning);
   table += times("planning, a team", summary.team_planning);

@@ -24,6 +24,7 @@ TaskModule& add_task(LockStep& loop, const Config& config) { return loop.add<Tas
 PlannerModule& add_planner(LockStep& loop, const Config& config, Team team, const Stopwatch& stopwatch) {
   PlannerModuleParams params = planner_params_of(config, team);
   params.planning.budget_us = 0;
+  params.planning.frame_period_s = 0.0;
   return loop.add<PlannerModule>(team, params, stopwatch);
 }
 
