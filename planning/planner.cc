@@ -95,9 +95,15 @@ void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& 
   answer.goal_moved = *goal != request.goal;
   if (answer.start_moved || answer.goal_moved) find_blockers(field, *start, *goal, request.ignored);
 
-  const Query query{
-      *start,           *goal, request.ignored, request.seed, request.budget, request.previous_path, blockers_,
-      blockers_.empty()};
+  const Query query{*start,
+                    *goal,
+                    request.ignored,
+                    request.seed,
+                    request.budget,
+                    request.previous_path,
+                    blockers_,
+                    blockers_.empty(),
+                    request.length_max_m};
   result_.status = PlanStatus::not_found;
   result_.path.clear();
   result_.reason.clear();

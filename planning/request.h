@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,8 @@ struct PlanRequest {
   std::vector<std::size_t> ignored;  ///< sorted indices of the obstacles that are none for this robot
   std::uint64_t seed = 1;            ///< of random planners
   Budget budget;
+  /// A longer path is of no use; metres. Searches that know a lower bound may give up with not_found.
+  double length_max_m = std::numeric_limits<double>::infinity();
   std::vector<Vec2> previous_path;  ///< what the robot follows now, may be empty: for planners that would jitter
 };
 
@@ -40,6 +43,7 @@ struct Query {
   /// empty and not: nobody has asked.
   std::span<const std::uint32_t> straight_blockers = {};
   bool is_straight_free = false;
+  double length_max_m = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace regista

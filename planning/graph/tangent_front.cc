@@ -34,6 +34,7 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
   for (const int end = legs_tested_ + legs; legs_tested_ < end;) {
     if (queue_.empty()) return Progress::no_way;
     const Queued next = queue_.front();
+    if (next.estimate > query_.length_max_m) return Progress::too_long;
     std::pop_heap(queue_.begin(), queue_.end(), later);
     queue_.pop_back();
     ++legs_tested_;

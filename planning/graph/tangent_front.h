@@ -18,7 +18,7 @@ namespace regista::graph {
 /// The answer depends on field and query alone. Only scratch memory is kept between two searches.
 class TangentFront {
  public:
-  enum class Progress { going_on, goal, no_way, no_time };
+  enum class Progress { going_on, goal, no_way, no_time, too_long };
 
   /// Begins at the query's start.
   void begin(SharedGraph& graph, const Query& query);

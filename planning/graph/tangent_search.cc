@@ -33,7 +33,9 @@ TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, s
   } else {
     forward_.trace(graph, path);
   }
-  if (progress != Progress::goal) return progress == Progress::no_way ? End::no_way : End::no_time;
+  if (progress == Progress::no_way) return End::no_way;
+  if (progress == Progress::no_time) return End::no_time;
+  if (progress == Progress::too_long) return End::too_long;
   length_m_ = (is_backward ? backward_ : forward_).length_m();
   return End::goal;
 }

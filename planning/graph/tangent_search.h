@@ -11,7 +11,7 @@ namespace regista::graph {
 /// Only scratch memory is kept between two searches.
 class TangentSearch {
  public:
-  enum class End { goal, no_way, no_time };
+  enum class End { goal, no_way, no_time, too_long };
 
   /// Why the search ended. goal: `path` leads from the start to it, arcs as circumscribed polylines at most kArcExcess
   /// longer. Else `path` leads to the arrival nearest to the goal, and may be the start alone. no_way is a proof.

@@ -17,7 +17,7 @@ void TangentPlanner::search(graph::SharedGraph& graph, const Query& query, Searc
     result.status = PlanStatus::unreachable;
     result.reason = "obstacles close every way";
   } else {
-    result.reason = "the time was spent";
+    result.reason = end == End::no_time ? "the time was spent" : "every way is longer than asked for";
   }
 }
 
