@@ -22,12 +22,14 @@ struct PlanningParams {
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
-  /// Share of the length a new path must be shorter to change sides.
+  /// Changes of side in the main job fall by a quarter with this, those within 0.2 s by half; twice as much stickiness
+  /// costs twice as many targets for little more.
   double side_change_gain = 0.05;
-  std::int64_t iterations = 2500;  ///< samples a random planner may draw (N of Costa & Tonidandel)
-  std::int64_t budget_us = 0;      ///< time per robot; 0: a random planner's is its share of frame_period_s
-  double frame_period_s = 0.01;    ///< of the cameras; 0: unknown, and no limit comes from it
-  std::int64_t seed = 1;           ///< of random planners
+  std::int64_t iterations = 2500;         ///< samples a random planner may draw (N of Costa & Tonidandel)
+  std::int64_t anytime_iterations = 200;  ///< where no time ends an anytime planner: about a millisecond of RRT*
+  std::int64_t budget_us = 0;             ///< time per robot; 0: a random planner's is its share of frame_period_s
+  double frame_period_s = 0.01;           ///< of the cameras; 0: unknown, and no limit comes from it
+  std::int64_t seed = 1;                  ///< of random planners
   RrtParams rrt;
   IterativeRrtParams irrt;
   ErrtParams errt;
@@ -54,9 +56,10 @@ struct PlanningParams {
     v("growth_unchanged_within_m", self.growth_unchanged_within_m, Range{0.0, 100.0}, "m",
       "no growth this near to the goal");
     v("side_change_gain", self.side_change_gain, Range{0.0, 10.0}, "",
-      "a path that passes an obstacle on another side than the one followed must be shorter by this share; 0: need "
-      "not");
+      "the way around an obstacle on the side followed is kept while at most this share longer than another; 0: not");
     v("iterations", self.iterations, Range{0.0, 1e9}, "", "samples a random planner may draw per robot");
+    v("anytime_iterations", self.anytime_iterations, Range{0.0, 1e9}, "",
+      "the same for planners that use whatever they get (RRT*, BIT*), where no time limit holds, as in lock step");
     v("budget_us", self.budget_us, Range{0.0, 1e9}, "us",
       "time for one robot's plan; 0: frame_period_s / robots of the team for random planners, no limit for others");
     v("frame_period_s", self.frame_period_s, Range{0.0, 10.0}, "s",

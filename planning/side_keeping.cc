@@ -2,51 +2,16 @@
 
 #include <limits>
 
+#include "planning/path_sides.h"
 #include "planning/polyline.h"
 
 namespace regista {
 namespace {
 
-/// From frame to frame a robot or a target that follows the ball moves by centimetres; farther apart, the ends of two
-/// paths say that robot or target were put elsewhere, or that frames are missing.
-constexpr double kEndsApart_m = 0.3;
 constexpr double kBarrierRadius_m = 1e-3;  ///< with none a barrier would forbid nothing
 constexpr double kBeyondBounds_m = 0.01;   ///< where barriers end
 /// A path that is kept from one side of a crowd may find the next gap in it; more often than that is never seen.
 constexpr int kRounds = 3;
-
-Vec2 middle_of(const Obstacle& obstacle) { return 0.5 * (obstacle.a + obstacle.b); }
-
-/// What an edge from `from` to `to` adds to the number of times a closed curve winds around the point: it counts where
-/// it passes to the point's right, upwards or downwards (Sunday, "Inclusion of a Point in a Polygon").
-int winding(const Vec2& from, const Vec2& to, const Vec2& point) {
-  const bool from_below = from.y() <= point.y();
-  const bool to_below = to.y() <= point.y();
-  if (from_below == to_below) return 0;
-  const double left = cross(to - from, point - from);
-  if (from_below) return left > 0.0 ? 1 : 0;
-  return left < 0.0 ? -1 : 0;
-}
-
-int winding(std::span<const Vec2> path, const Vec2& point) {
-  int sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum += winding(path[i - 1], path[i], point);
-  return sum;
-}
-
-struct Box {
-  Vec2 low = Vec2::Constant(std::numeric_limits<double>::infinity());
-  Vec2 high = -low;
-  void add(std::span<const Vec2> points) {
-    for (const Vec2& point : points) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-  }
-  bool holds(const Vec2& point) const {
-    return low.x() <= point.x() && point.x() <= high.x() && low.y() <= point.y() && point.y() <= high.y();
-  }
-};
 
 bool crosses(const Vec2& from, const Vec2& to, std::span<const Vec2> path) {
   // A barrier is clear of a path when a disc moved along each leg meets nothing of it.
@@ -102,34 +67,6 @@ std::optional<Obstacle> barrier(const ObstacleField& field, ObstacleIndex obstac
 
 }  // namespace
 
-void append_passed_otherwise(std::span<const Obstacle> obstacles, std::span<const std::size_t> ignored,
-                             std::span<const Vec2> before, std::span<const Vec2> now, std::vector<ObstacleIndex>& out) {
-  Box box;
-  box.add(before);
-  box.add(now);
-  for (ObstacleIndex i = 0; i < obstacles.size(); ++i) {
-    const Vec2 middle = middle_of(obstacles[i]);
-    if (!box.holds(middle) || is_ignored(i, ignored)) continue;
-    const int turns = winding(now, middle) + winding(now.back(), before.back(), middle) - winding(before, middle) +
-                      winding(before.front(), now.front(), middle);
-    if (turns != 0) out.push_back(i);
-  }
-}
-
-bool is_same_errand(std::span<const Vec2> before, std::span<const Vec2> now) {
-  return !before.empty() && !now.empty() && (before.front() - now.front()).norm() <= kEndsApart_m &&
-         (before.back() - now.back()).norm() <= kEndsApart_m;
-}
-
-bool changes_side(const ObstacleField& field, std::span<const std::size_t> ignored, const RobotPlan& before,
-                  const RobotPlan& now) {
-  if (before.plan.status != PlanStatus::ok || now.plan.status != PlanStatus::ok) return false;
-  if (!(before.target == now.target) || !is_same_errand(before.plan.path, now.plan.path)) return false;
-  std::vector<ObstacleIndex> passed_otherwise;
-  append_passed_otherwise(field.obstacles(), ignored, before.plan.path, now.plan.path, passed_otherwise);
-  return !passed_otherwise.empty();
-}
-
 bool SideKeeper::close(const ObstacleField& field, std::span<const Vec2> before, std::span<const Vec2> now) {
   const std::size_t barriers = obstacles_.size();
   for (const ObstacleIndex obstacle : passed_otherwise_) {
@@ -142,10 +79,12 @@ bool SideKeeper::search(Planner& planner, const ObstacleField& field, const Plan
                         Plan& found) {
   obstacles_.assign(field.obstacles().begin(), field.obstacles().end());
   Plan plan = found;
+  PlanRequest bounded = request;
+  bounded.length_max_m = longest_m;
   for (int round = 0; round < kRounds; ++round) {
     if (!close(field, request.previous_path, plan.path)) return false;
     graph_.reset(field.bounds(), obstacles_);
-    planner.plan(graph_, request, plan);
+    planner.plan(graph_, bounded, plan);
     const bool same_ends = plan.start_moved == found.start_moved && plan.goal_moved == found.goal_moved &&
                            !plan.path.empty() && plan.path.back() == found.path.back();
     if (plan.status != PlanStatus::ok || !same_ends || plan.length_m > longest_m) return false;

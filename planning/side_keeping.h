@@ -1,24 +1,10 @@
 // Keeps robots from changing their minds: vision noise makes the ways left and right of an obstacle the shorter one in
-// turn. Whether two paths pass an obstacle on the same side is asked of the curve they enclose, so it holds for any
-// planner's paths; the side is kept by planning again with the other one closed.
+// turn. The side followed is kept by planning again with the other one closed, so it works for any planner.
 #pragma once
 
 #include "planning/planner.h"
 
 namespace regista {
-
-/// Appends the obstacles, ignored ones left out, that the two paths pass on different sides: the curve along `now` and
-/// back along `before` winds around their middle. Neither path is empty; their ends may be a little apart.
-void append_passed_otherwise(std::span<const Obstacle> obstacles, std::span<const std::size_t> ignored,
-                             std::span<const Vec2> before, std::span<const Vec2> now, std::vector<ObstacleIndex>& out);
-
-/// Both ends of the paths are so near each other that sides can be compared; false for an empty path.
-bool is_same_errand(std::span<const Vec2> before, std::span<const Vec2> now);
-
-/// A change of side, as it is counted: both plans ok, for the same target, and passing some obstacle of the newer
-/// plan's field on different sides. The plans are those of consecutive world states.
-bool changes_side(const ObstacleField& field, std::span<const std::size_t> ignored, const RobotPlan& before,
-                  const RobotPlan& now);
 
 class SideKeeper {
  public:

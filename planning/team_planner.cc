@@ -89,7 +89,8 @@ Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const RobotState& r
   request.goal = target.pose.position_m;
   request.ignored = ignored_by(obstacles, robot.id, target.may_enter_own_area);
   request.seed = mixed(mixed(static_cast<std::uint64_t>(params_.seed), world_sequence_), robot.id.number);
-  request.budget.iterations = params_.iterations;
+  const bool ends_by_count = entry_->guarantees.anytime && budget_ns == 0;
+  request.budget.iterations = ends_by_count ? params_.anytime_iterations : params_.iterations;
   std::function<bool()> out_of_time;
   if (budget_ns > 0) {
     const std::int64_t deadline = read(stopwatch) + budget_ns;

@@ -1,6 +1,6 @@
 #include "modules/lockstep/side_changes.h"
 
-#include "planning/side_keeping.h"
+#include "planning/path_sides.h"
 
 namespace regista {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <limits>
+#include <optional>
 
 #include "planning/uniform.h"
 #include "tests/support/planning_oracles.h"
@@ -181,6 +182,7 @@ TEST_CASE("a search that takes longer than budget_us ends with not_found") {
     CAPTURE(seed);
     params.seed = seed;
     params.budget_us = 0;
+    params.frame_period_s = 0.0;
     TeamPlanner patient(Team::yellow, params);
     patient.use("rrt");
     REQUIRE(patient.plan(division_a(), world, targets, &stopwatch).plans[0].plan.status == PlanStatus::ok);
@@ -191,7 +193,60 @@ TEST_CASE("a search that takes longer than budget_us ends with not_found") {
     const TeamPlans plans = hurried.plan(division_a(), world, targets, &stopwatch);
     REQUIRE(plans.plans[0].plan.status == PlanStatus::not_found);
     REQUIRE(plans.durations_ns[0] <= 1500);
+    // The same as the share of the frame: of one robot all of it.
+    params.budget_us = 0;
+    params.frame_period_s = 1e-6;
+    TeamPlanner sharing(Team::yellow, params);
+    sharing.use("rrt");
+    REQUIRE(sharing.plan(division_a(), world, targets, &stopwatch).plans[0].plan.status == PlanStatus::not_found);
+    REQUIRE(sharing.plan(division_a(), world, targets).plans[0].plan.status == PlanStatus::ok);
+    sharing.use("visibility_sampling");
+    REQUIRE(sharing.plan(division_a(), world, targets, &stopwatch).plans[0].plan.status == PlanStatus::ok);
   }
+}
+
+TEST_CASE("without a time limit anytime planners end after anytime_iterations") {
+  std::mt19937_64 random(24);
+  const WorldState world = random_world(random, 1);
+  const Targets targets = random_targets(random);
+  const auto plans = [&](std::int64_t iterations, std::int64_t anytime_iterations) {
+    PlanningParams params;
+    params.iterations = iterations;
+    params.anytime_iterations = anytime_iterations;
+    TeamPlanner planner(Team::yellow, params);
+    planner.use("rrt_star");
+    return planner.plan(division_a(), world, targets).plans;
+  };
+  CHECK(plans(50, 100) == plans(5000, 100));
+  CHECK(plans(100, 50) != plans(100, 150));
+}
+
+TEST_CASE("a planner that begins in the middle plans like the others from the next targets on") {
+  // The one frame's memory is all there is: it ends with the errand, so a replay may begin anywhere.
+  std::mt19937_64 random(25);
+  TeamPlanner old(Team::yellow, {});
+  std::optional<TeamPlanner> late;
+  int differing = 0;
+  for (std::uint64_t errand = 0; errand < 4; ++errand) {
+    WorldState world = random_world(random, errand * 100);
+    const Targets targets = random_targets(random);
+    for (int frame = 0; frame < 40; ++frame) {
+      ++world.sequence;
+      for (RobotState& robot : world.robots) {
+        robot.pose.position_m += Vec2(uniform(random, -0.02, 0.02), uniform(random, -0.02, 0.02));
+      }
+      if (errand == 0 && frame == 20) late.emplace(Team::yellow, PlanningParams{});
+      const std::vector<RobotPlan> recorded = old.plan(division_a(), world, targets).plans;
+      if (!late) continue;
+      const std::vector<RobotPlan> replayed = late->plan(division_a(), world, targets).plans;
+      if (errand > 0) REQUIRE(replayed == recorded);
+      for (std::size_t i = 0; i < recorded.size(); ++i) {
+        differing += replayed[i] != recorded[i];
+        REQUIRE(replayed[i].plan.status == recorded[i].plan.status);
+      }
+    }
+  }
+  CHECK(differing > 0);  // else nothing was kept and this shows nothing
 }
 
 TEST_CASE("targets of the other team or two for one robot are refused with the values") {
