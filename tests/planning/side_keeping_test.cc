@@ -155,13 +155,13 @@ TEST_CASE("in random worlds what is kept is free, on the side followed, not much
   SideKeeper keeper;
   int turned = 0;
   int kept = 0;
-  for (int world = 0; world < 400; ++world) {
+  for (int world = 0; world < 2000; ++world) {
     const ObstacleField field = testing::random_field(random, 25);
     PlanRequest request = testing::random_free_request(random, field);
     // What it followed: a way through a world in which everything stood a little elsewhere.
     std::vector<Obstacle> elsewhere(field.obstacles().begin(), field.obstacles().end());
     for (Obstacle& obstacle : elsewhere) {
-      const Vec2 shift(uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1));
+      const Vec2 shift(uniform(random, -0.2, 0.2), uniform(random, -0.2, 0.2));
       obstacle.a += shift;
       obstacle.b += shift;
     }
