@@ -1,6 +1,7 @@
 #include "planning/planners/astar_grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace regista {
@@ -27,7 +28,7 @@ constexpr double kOctileExcess = 1.0823922002923940 - 1.0;
 /// Lengths that differ by less are equal.
 constexpr double kSameLength_m = 1e-9;
 
-std::int64_t rounded(double length_m) { return static_cast<std::int64_t>(length_m / kSameLength_m + 0.5); }
+std::int64_t rounded(double length_m) { return std::llround(length_m / kSameLength_m); }
 
 /// Cells on one side of the middle whose centres are within.
 double half_count(double half_extent_m, double cell_m) { return std::floor((half_extent_m + kTouch_m) / cell_m + 0.5); }
@@ -217,7 +218,10 @@ AstarGrid::Cell& AstarGrid::cell(Index index) {
 /// In the field's frame.
 Vec2 AstarGrid::centre(Index index) const {
   const Place at = place(index);
-  const Vec2 cells(static_cast<double>(at.column - columns_ / 2) + 0.5, static_cast<double>(at.row - rows_ / 2) + 0.5);
+  // As many columns and rows on either side of the middle.
+  const auto column = at.column - columns_ / 2;
+  const auto row = at.row - rows_ / 2;
+  const Vec2 cells(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
   return cells.cwiseProduct(signs_) * cell_m_;
 }
 
