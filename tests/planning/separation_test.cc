@@ -61,7 +61,7 @@ TEST_CASE("two free points are separated exactly where there is no path") {
     CAPTURE(seed);
     REQUIRE(separates(field, request.start, request.goal, request.ignored) == !length_m);
   }
-  CHECK(closed > testing::share_of(100));
+  CHECK(closed >= testing::share_of(100));
 }
 
 }  // namespace regista
