@@ -126,4 +126,24 @@ double clearance(const Vec2& from, const Vec2& to, const Obstacle& obstacle) {
   return BoxApproach(from, to, obstacle.a, obstacle.b).least() - obstacle.radius_m;
 }
 
+bool is_free_of_extended(const Vec2& from, const Vec2& to, const Obstacle& obstacle) {
+  const Vec2& a = obstacle.a;
+  const Vec2& b = obstacle.b;
+  const double radius_m = obstacle.radius_m;
+  const auto is_free_of = [&](const Vec2& corner) { return is_free_of_disc(from, to, corner, radius_m); };
+  if (obstacle.core == Core::segment) {
+    return (radius_m <= kTouch_m || !segments_cross(from, to, a, b)) && is_free_of(a) && is_free_of(b) &&
+           is_free_of_disc(a, b, from, radius_m) && is_free_of_disc(a, b, to, radius_m);
+  }
+  if (box_meets_segment(a, b, from, to)) {
+    return radius_m <= kTouch_m && clearance(from, to, obstacle) >= -kTouch_m;
+  }
+  const double least_m = std::max(radius_m - kTouch_m, 0.0);
+  const auto is_apart = [&](const Vec2& end) {
+    return (a - end).cwiseMax(end - b).cwiseMax(0.0).squaredNorm() >= least_m * least_m;
+  };
+  return is_apart(from) && is_apart(to) && is_free_of(a) && is_free_of({b.x(), a.y()}) && is_free_of(b) &&
+         is_free_of({a.x(), b.y()});
+}
+
 }  // namespace regista

@@ -34,7 +34,7 @@ class ObstacleBoxes {
   void visit_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const {
     const Vec2 along = to - from;
     const double length_m = along.norm();
-    visit_near({from, to, length_m > 0.0 ? Vec2(along / length_m) : Vec2::Zero(), radius_m}, visit);
+    visit_near({from, to, length_m > 0.0 ? Vec2(along / length_m) : Vec2::Zero(), radius_m, 0}, visit);
   }
 
   /// The same for one who knows the direction.
@@ -43,6 +43,8 @@ class ObstacleBoxes {
     const Vec2& to;
     const Vec2& along;  ///< unit, or zero
     double radius_m = 0.0;
+    /// Bit i: the obstacle at place i of the list need not be visited, but may; for the first 64.
+    std::uint64_t left_out = 0;
   };
   template <class Visit>
   void visit_near(const Motion& motion, Visit&& visit) const;
@@ -101,9 +103,10 @@ class ObstacleBoxes {
   }
 
   template <class Visit>
-  bool visit_blocks(std::size_t begin, std::size_t end, const Sweep& sweep, Visit& visit) const {
-    for (std::size_t i = begin; i < end; ++i) {
-      for (unsigned hit = hits(blocks_[i], sweep); hit != 0; hit &= hit - 1) {
+  bool visit_blocks(std::size_t begin, std::size_t end, const Sweep& sweep, std::uint64_t left_out,
+                    Visit& visit) const {
+    for (std::size_t i = begin; i < end; ++i, left_out >>= kLanes) {
+      for (unsigned hit = hits(blocks_[i], sweep) & ~static_cast<unsigned>(left_out); hit != 0; hit &= hit - 1) {
         if (visit(index_[i * kLanes + static_cast<std::size_t>(std::countr_zero(hit))])) return true;
       }
     }
@@ -126,14 +129,14 @@ void ObstacleBoxes::visit_near(const Motion& motion, Visit&& visit) const {
   // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
   const Sweep sweep(motion, motion.radius_m + 1e-6 * extent_m);
   if (groups_.empty()) {
-    visit_blocks(0, blocks_.size(), sweep, visit);
+    visit_blocks(0, blocks_.size(), sweep, motion.left_out, visit);
     return;
   }
   constexpr std::size_t kBlocks = kGroupSize / kLanes;
   for (std::size_t i = 0; i < groups_.size(); ++i) {
     for (unsigned hit = hits(groups_[i], sweep); hit != 0; hit &= hit - 1) {
       const std::size_t begin = (i * kLanes + static_cast<std::size_t>(std::countr_zero(hit))) * kBlocks;
-      if (visit_blocks(begin, std::min(begin + kBlocks, blocks_.size()), sweep, visit)) return;
+      if (visit_blocks(begin, std::min(begin + kBlocks, blocks_.size()), sweep, 0, visit)) return;
     }
   }
 }

@@ -47,6 +47,44 @@ std::optional<ObstacleIndex> ObstacleField::first_blocker(const Vec2& from, cons
   return found;
 }
 
+bool ObstacleField::is_free(std::span<const Vec2> path, std::span<const std::size_t> ignored) const {
+  // Short legs, as an arc has them, are asked for together.
+  constexpr double kShortRun_m = 0.5;
+  for (const Vec2& point : path) {
+    if (!is_inside(point, bounds_)) return false;
+  }
+  for (std::size_t begin = 0; begin + 1 < path.size();) {
+    std::size_t end = begin + 1;
+    double length_m = (path[end] - path[begin]).norm();
+    while (end + 1 < path.size()) {
+      const double longer_m = length_m + (path[end + 1] - path[end]).norm();
+      if (longer_m > kShortRun_m) break;
+      length_m = longer_m;
+      ++end;
+    }
+    if (!is_run_free(path.subspan(begin, end - begin + 1), length_m, ignored)) return false;
+    begin = end;
+  }
+  return true;
+}
+
+/// No point of a run is farther from its chord than half of √(length² - chord²), the lesser axis of the ellipse of all
+/// points on ways of that length.
+bool ObstacleField::is_run_free(std::span<const Vec2> run, double length_m,
+                                std::span<const std::size_t> ignored) const {
+  const double chord2 = (run.back() - run.front()).squaredNorm();
+  const double bulge_m = run.size() == 2 ? 0.0 : 0.5 * std::sqrt(std::max(length_m * length_m - chord2, 0.0));
+  bool is_blocked = false;
+  boxes_.visit_near(run.front(), run.back(), bulge_m, [&](ObstacleIndex i) {
+    if (is_ignored(i, ignored)) return false;
+    for (std::size_t k = 1; k < run.size() && !is_blocked; ++k) {
+      is_blocked = !regista::is_free(run[k - 1], run[k], obstacles_[i]);
+    }
+    return is_blocked;
+  });
+  return !is_blocked;
+}
+
 void ObstacleField::blockers(const Vec2& from, const Vec2& to, std::vector<ObstacleIndex>& out) const {
   boxes_.visit_near(from, to, 0.0, [&](ObstacleIndex i) {
     if (!regista::is_free(from, to, obstacles_[i])) out.push_back(i);

@@ -56,6 +56,9 @@ class ObstacleField {
     return is_inside(from, bounds_) && is_inside(to, bounds_) && !first_blocker(from, to, ignored);
   }
 
+  /// All legs of the path, which may be empty.
+  bool is_free(std::span<const Vec2> path, std::span<const std::size_t> ignored) const;
+
   /// An obstacle that blocks the segment (bounds are not asked), if any.
   std::optional<ObstacleIndex> first_blocker(const Vec2& from, const Vec2& to,
                                              std::span<const std::size_t> ignored = {}) const;
@@ -86,6 +89,8 @@ class ObstacleField {
   void maybe_near(ObstacleIndex obstacle, double margin_m, std::vector<ObstacleIndex>& out) const;
 
  private:
+  bool is_run_free(std::span<const Vec2> run, double length_m, std::span<const std::size_t> ignored) const;
+
   Bounds bounds_;
   std::vector<Obstacle> obstacles_;
   ObstacleBoxes boxes_;

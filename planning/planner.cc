@@ -34,13 +34,6 @@ void check(const PlanRequest& request, std::size_t obstacles) {
   }
 }
 
-bool legs_are_free(const ObstacleField& field, std::span<const Vec2> path, std::span<const std::size_t> ignored) {
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    if (!field.is_free(path[i - 1], path[i], ignored)) return false;
-  }
-  return true;
-}
-
 /// What is wrong with a search's answer; empty when it keeps the laws. A path that did not get to the goal is held to
 /// the same laws but for its end.
 std::string fault(const ObstacleField& field, const Query& query, const SearchResult& result) {
@@ -53,7 +46,7 @@ std::string fault(const ObstacleField& field, const Query& query, const SearchRe
     if (!is_finite(point)) return "is not finite";
   }
   if (query.is_straight_free && result.path.size() == 2 && ok) return "";
-  if (!legs_are_free(field, result.path, query.ignored)) return "leads through an obstacle or out of bounds";
+  if (!field.is_free(result.path, query.ignored)) return "leads through an obstacle or out of bounds";
   return "";
 }
 

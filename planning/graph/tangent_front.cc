@@ -26,6 +26,12 @@ constexpr double kSamePlace = 1e-9;
 /// Costs that differ by less are equal. Metres.
 constexpr double kRounding_m = 1e-12;
 
+/// So many active obstacles are tested at once as fast as one of them.
+constexpr std::size_t kFew = 8;
+
+/// Of a place in a list, for ObstacleBoxes::Motion::left_out; none beyond the 64th.
+std::uint64_t bit(std::uint32_t place) { return place < 64 ? std::uint64_t{1} << place : 0; }
+
 double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 
 }  // namespace
@@ -33,10 +39,13 @@ double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
   for (const int end = legs_tested_ + legs; legs_tested_ < end;) {
     if (queue_.empty()) return Progress::no_way;
-    const Queued next = queue_.front();
+    const Queued next = dequeue();
     if (next.estimate > query_.length_max_m) return Progress::too_long;
-    std::pop_heap(queue_.begin(), queue_.end(), later);
-    queue_.pop_back();
+    if (next.slot != kItself) {
+      set_departures(legs_[next.leg]);
+      depart_to_slot(next.leg, next.slot);
+      continue;
+    }
     ++legs_tested_;
     if (legs_tested_ % kLegsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
     if (legs_tested_ == kLegsBeforeProof) {
@@ -80,6 +89,7 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   recent_.fill(kBounds);
   departures_ = {};
   legs_tested_ = 0;
+  horizon_m_ = 0.0;
   is_separated_ = false;
   last_ = kStart;
   nearest_m_ = (query.goal - query.start).norm();
@@ -98,7 +108,21 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
 }
 
 bool TangentFront::later(const Queued& a, const Queued& b) {
-  return a.estimate != b.estimate ? a.estimate > b.estimate : a.leg > b.leg;
+  if (a.estimate != b.estimate) return a.estimate > b.estimate;
+  return a.leg != b.leg ? a.leg > b.leg : a.slot > b.slot;
+}
+
+void TangentFront::enqueue(const Queued& queued) {
+  queue_.push_back(queued);
+  std::push_heap(queue_.begin(), queue_.end(), later);
+}
+
+TangentFront::Queued TangentFront::dequeue() {
+  const Queued first = queue_.front();
+  std::pop_heap(queue_.begin(), queue_.end(), later);
+  queue_.pop_back();
+  horizon_m_ = first.estimate;
+  return first;
 }
 
 /// Queues all departures from where the leg arrives; false when an earlier arrival has made them all.
@@ -130,7 +154,7 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
   expanded_.push_back(index);
   set_departures(leg);
   const auto slots = static_cast<State>(slots_.size());
-  for (State other = 0; other < slots; ++other) depart_to_slot(index, other);
+  for (State other = 0; other < slots; ++other) consider(index, other);
   depart(index, goal_, 1.0, kGoalState);
   return true;
 }
@@ -144,6 +168,18 @@ void TangentFront::set_departures(const Leg& leg) {
   if (leg.reach > kHalfRound - kSurely) return;
   const double side = side_of(leg.state);
   departures_ = {true, side, leg.to.normal, disc_normal(leg.order + side * leg.reach)};
+}
+
+/// Makes the leg's departures to the slot, or, where going there is a detour, puts it off until nothing better is left.
+void TangentFront::consider(LegIndex index, State slot_index) {
+  constexpr double kDetour_m = 0.1;
+  if (slots_.size() > kFew) {
+    const Leg& leg = legs_[index];
+    const Slot& slot = slots_[slot_index];
+    const double least_m = leg.cost + (slot.middle - leg.to.point).norm() - slot.extent_m + slot.beyond_m;
+    if (least_m > horizon_m_ + kDetour_m) return enqueue({least_m, index, slot_index});
+  }
+  depart_to_slot(index, slot_index);
 }
 
 void TangentFront::depart_to_slot(LegIndex index, State slot) {
@@ -164,8 +200,8 @@ void TangentFront::depart(LegIndex index, const Body& to, double to_side, State 
     if (!is_free_of_active(arrival.state, state, {tangent.from.point, tangent.to.point, tangent.along})) return;
     const double along_m = is_start ? 0.0 : travel_m(from, arrival.to, tangent.from, side);
     const double cost = arrival.cost + along_m + tangent.length_m;
-    queue_.push_back({cost + (goal_.corners[0] - tangent.to.point).norm(), static_cast<LegIndex>(legs_.size())});
-    std::push_heap(queue_.begin(), queue_.end(), later);
+    const double estimate_m = cost + (goal_.corners[0] - tangent.to.point).norm();
+    enqueue({estimate_m, static_cast<LegIndex>(legs_.size()), kItself});
     legs_.push_back({tangent.from, tangent.to, tangent.along, cost, 0.0, 0.0, index, state, kNone,
                      static_cast<std::uint32_t>(active_.size())});
   });
@@ -177,22 +213,24 @@ ObstacleIndex TangentFront::body_at(State state) const {
 }
 
 /// Both ends' bodies are touched, not crossed.
-bool TangentFront::is_free_of_active(State from_state, State to_state, const ObstacleBoxes::Motion& motion) {
-  const ObstacleIndex from = body_at(from_state);
-  const ObstacleIndex to = body_at(to_state);
-  const auto blocks = [&](ObstacleIndex i) {
-    return i != from && i != to && !is_free(motion.from, motion.to, field_->obstacles()[i]);
+bool TangentFront::is_free_of_active(State from_state, State to_state, ObstacleBoxes::Motion motion) {
+  const State from = from_state / 2;
+  const State to = to_state / 2;
+  const auto blocks = [&](State slot) {
+    return slot != from && slot != to &&
+           !is_free(motion.from, motion.to, field_->obstacles()[slots_[slot].obstacle]);
   };
-  // What blocked a leg blocks its neighbours as well.
-  for (std::size_t k = 0; k < recent_.size(); ++k) {
+  // What blocked a leg blocks its neighbours as well. Among few it is not worth the question.
+  for (std::size_t k = 0; slots_.size() > kFew && k < recent_.size(); ++k) {
     if (recent_[k] == kBounds || !blocks(recent_[k])) continue;
     if (k > 0) std::swap(recent_[k], recent_[k - 1]);
     return false;
   }
+  motion.left_out = bit(from) | bit(to);
   bool is_blocked = false;
-  active_boxes_.visit_near(motion, [&](ObstacleIndex i) {
-    is_blocked = blocks(i);
-    if (is_blocked) recent_.back() = i;
+  active_boxes_.visit_near(motion, [&](State slot) {
+    is_blocked = blocks(slot);
+    if (is_blocked) recent_.back() = slot;
     return is_blocked;
   });
   return !is_blocked;
@@ -202,11 +240,12 @@ bool TangentFront::is_free_of_active(State from_state, State to_state, const Obs
 bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
   const ObstacleField& field = graph.field();
   if (!is_inside(leg.to.point, field.bounds())) return false;
-  const ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
+  ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
   const bool is_news = leg.free_of < active_.size();
   if (is_news && !is_free_of_active(legs_[leg.parent].state, leg.state, motion)) return false;
   // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
+  motion.left_out = bit(body_at(legs_[leg.parent].state)) | bit(body_at(leg.state));
   field.visit_candidates(motion, [&](ObstacleIndex i) {
     if (is_active_[i] != 0 || is_ignored(i, query_.ignored)) return false;
     if (!is_free(leg.from.point, leg.to.point, field.obstacles()[i])) blockers_.push_back(i);
@@ -236,13 +275,16 @@ void TangentFront::pend_deepest(const ObstacleField& field, const Vec2& from, co
 void TangentFront::activate(SharedGraph& graph, ObstacleIndex obstacle) {
   is_active_[obstacle] = 1;
   active_.push_back(obstacle);
-  active_boxes_.append(graph.field().obstacles()[obstacle], obstacle);
-  slots_.push_back({body_of(graph.field().obstacles()[obstacle]), obstacle});
+  active_boxes_.append(graph.field().obstacles()[obstacle], static_cast<State>(active_.size() - 1));
+  const Obstacle& shape = graph.field().obstacles()[obstacle];
+  const Vec2 middle = 0.5 * (shape.a + shape.b);
+  const double extent_m = (shape.b - middle).norm() + shape.radius_m;
+  slots_.push_back({body_of(shape), obstacle, middle, extent_m, (middle - query_.goal).norm() - extent_m});
   expanded_here_.resize(2 * slots_.size(), kNone);
   const auto slot = static_cast<State>(slots_.size() - 1);
   for (const LegIndex leg : expanded_) {
     set_departures(legs_[leg]);
-    depart_to_slot(leg, slot);
+    consider(leg, slot);
   }
 }
 

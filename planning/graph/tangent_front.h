@@ -2,6 +2,8 @@
 // a time.
 #pragma once
 
+#include <limits>
+
 #include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/graph/tangents.h"
@@ -43,6 +45,9 @@ class TangentFront {
   struct Slot {
     Body body;
     ObstacleIndex obstacle = 0;
+    Vec2 middle = Vec2::Zero();
+    double extent_m = 0.0;  ///< no point of it is farther from the middle
+    double beyond_m = 0.0;  ///< nor nearer to the goal
   };
   struct Leg {
     Place from, to;
@@ -59,20 +64,25 @@ class TangentFront {
   struct Queued {
     double estimate;  ///< cost + straight line to the goal
     LegIndex leg;
+    State slot;  ///< kItself, or the one to which the leg's departures have not been made yet
   };
+  static constexpr State kItself = std::numeric_limits<State>::max();
 
   bool expand(SharedGraph& graph, LegIndex leg);
   void set_departures(const Leg& leg);
+  void consider(LegIndex leg, State slot);
   void depart_to_slot(LegIndex leg, State slot);
   void depart(LegIndex leg, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
-  bool is_free_of_active(State from, State to, const ObstacleBoxes::Motion& motion);
+  bool is_free_of_active(State from, State to, ObstacleBoxes::Motion motion);
   ObstacleIndex body_at(State state) const;
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
   void activate(SharedGraph& graph, ObstacleIndex obstacle);
   void activate_pending(SharedGraph& graph);
 
+  void enqueue(const Queued& queued);
+  Queued dequeue();
   static bool later(const Queued& a, const Queued& b);
 
   Query query_;  ///< of the search that runs
@@ -80,19 +90,20 @@ class TangentFront {
   Body start_, goal_;
   std::vector<Slot> slots_;
   std::vector<ObstacleIndex> active_;
-  ObstacleBoxes active_boxes_;           ///< the same, for fast tests
+  ObstacleBoxes active_boxes_;           ///< the same by slot, for fast tests
   std::vector<std::uint8_t> is_active_;  ///< by obstacle
   std::vector<LegIndex> expanded_here_;  ///< by state: the first of a list
   std::vector<Leg> legs_;                ///< the first is the start
   std::vector<LegIndex> expanded_;
   std::vector<Queued> queue_;  ///< a heap, least estimate first
   std::vector<ObstacleIndex> pending_;
-  std::array<ObstacleIndex, 4> recent_{};  ///< active obstacles that blocked something lately
+  std::array<State, 4> recent_{};  ///< slots of active obstacles that blocked something lately
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
   Separation separation_;
   Departures departures_;  ///< of the leg that is being expanded
   int legs_tested_ = 0;
+  double horizon_m_ = 0.0;  ///< estimate of what was last taken from the queue
   bool is_separated_ = false;
   LegIndex last_ = 0;  ///< of the way to the goal, or to the arrival nearest to it
   double nearest_m_ = 0.0;
