@@ -23,6 +23,14 @@ void check(const Bounds& bounds, std::span<const Obstacle> obstacles) {
 
 }  // namespace
 
+Obstacle capsule_around(const Obstacle& obstacle) {
+  if (obstacle.core != Core::rectangle) return capsule(obstacle.a, obstacle.b, obstacle.radius_m);
+  const Vec2 half = 0.5 * (obstacle.b - obstacle.a);
+  const Vec2 middle = 0.5 * (obstacle.a + obstacle.b);
+  const Vec2 along = half.x() >= half.y() ? Vec2(half.x(), 0.0) : Vec2(0.0, half.y());
+  return capsule(middle - along, middle + along, obstacle.radius_m + half.minCoeff());
+}
+
 ObstacleField::ObstacleField(const Bounds& bounds, std::vector<Obstacle> obstacles)
     : bounds_(bounds), obstacles_(std::move(obstacles)) {
   check(bounds_, obstacles_);
@@ -88,21 +96,6 @@ bool ObstacleField::is_run_free(std::span<const Vec2> run, double length_m,
 void ObstacleField::blockers(const Vec2& from, const Vec2& to, std::vector<ObstacleIndex>& out) const {
   boxes_.visit_near(from, to, 0.0, [&](ObstacleIndex i) {
     if (!regista::is_free(from, to, obstacles_[i])) out.push_back(i);
-    return false;
-  });
-}
-
-void ObstacleField::maybe_near(ObstacleIndex obstacle, double margin_m, std::vector<ObstacleIndex>& out) const {
-  const Obstacle& centre = obstacles_[obstacle];
-  // A rectangle lies within the capsule around its longer middle line.
-  const Vec2 half = 0.5 * (centre.b - centre.a);
-  const Vec2 middle = 0.5 * (centre.a + centre.b);
-  const bool is_wide = std::abs(half.x()) >= std::abs(half.y());
-  const bool is_rectangle = centre.core == Core::rectangle;
-  const Vec2 along = !is_rectangle ? half : is_wide ? Vec2(half.x(), 0.0) : Vec2(0.0, half.y());
-  const double across_m = is_rectangle ? half.cwiseAbs().minCoeff() : 0.0;
-  boxes_.visit_near(middle - along, middle + along, centre.radius_m + across_m + margin_m, [&](ObstacleIndex i) {
-    if (i != obstacle) out.push_back(i);
     return false;
   });
 }

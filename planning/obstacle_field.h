@@ -24,6 +24,9 @@ inline bool is_inside(const Vec2& point, const Bounds& bounds) {
          std::abs(point.y()) <= bounds.half_extent_m.y() + kTouch_m;
 }
 
+/// A capsule that holds all of the obstacle: itself, or the one around a rectangle's longer middle line.
+Obstacle capsule_around(const Obstacle& obstacle);
+
 /// Membership in a sorted list of ignored obstacles, which are few.
 inline bool is_ignored(ObstacleIndex obstacle, std::span<const std::size_t> ignored) {
   for (const std::size_t i : ignored) {
@@ -84,9 +87,16 @@ class ObstacleField {
     });
   }
 
-  /// Appends all obstacles that may come nearer than `margin_m` to the given one of the field, itself left out: none
-  /// that does is missing, some may be farther.
-  void maybe_near(ObstacleIndex obstacle, double margin_m, std::vector<ObstacleIndex>& out) const;
+  /// Calls visit(index) for all obstacles nearer than `margin_m` to the given one of the field, and for some that are
+  /// farther; itself left out.
+  template <class Visit>
+  void visit_maybe_near(ObstacleIndex obstacle, double margin_m, Visit&& visit) const {
+    const Obstacle stadium = capsule_around(obstacles_[obstacle]);
+    boxes_.visit_near(stadium.a, stadium.b, stadium.radius_m + margin_m, [&](ObstacleIndex i) {
+      if (i != obstacle) visit(i);
+      return false;
+    });
+  }
 
  private:
   bool is_run_free(std::span<const Vec2> run, double length_m, std::span<const std::size_t> ignored) const;

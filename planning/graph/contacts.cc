@@ -53,7 +53,7 @@ void Contacts::find(const ObstacleField& field, ObstacleIndex index, const Body&
   const Obstacle& obstacle = field.obstacles()[index];
   const double brush_m = kArcOvershoot * obstacle.radius_m;
   near_.clear();
-  field.maybe_near(index, brush_m, near_);
+  field.visit_maybe_near(index, brush_m, [this](ObstacleIndex i) { near_.push_back(i); });
   std::sort(near_.begin(), near_.end());
   for (const ObstacleIndex other : near_) {
     const Obstacle& neighbour = field.obstacles()[other];

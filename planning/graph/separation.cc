@@ -78,8 +78,21 @@ std::pair<Vec2, Vec2> nearest_points(const Obstacle& one, const Obstacle& other)
 
 }  // namespace
 
-bool Separation::separates(const ObstacleField& field, const Vec2& start, const Vec2& goal,
-                           std::span<const std::size_t> ignored) {
+void append_overlaps(const ObstacleField& field, std::vector<Overlap>& out) {
+  for (ObstacleIndex i = 0; i < field.size(); ++i) {
+    const Obstacle& one = field.obstacles()[i];
+    if (!has_extent(one)) continue;
+    field.visit_maybe_near(i, 0.0, [&](ObstacleIndex j) {
+      const Obstacle& other = field.obstacles()[j];
+      if (j < i || !has_extent(other) || gap(one, other) >= -kTouch_m) return;
+      const auto [from, to] = nearest_points(one, other);
+      out.push_back({i, j, from, to});
+    });
+  }
+}
+
+bool Separation::separates(const ObstacleField& field, std::span<const Overlap> overlaps, const Vec2& start,
+                           const Vec2& goal, std::span<const std::size_t> ignored) {
   start_ = start;
   along_ = goal - start;
   members_.resize(field.size() + 1);
@@ -87,18 +100,13 @@ bool Separation::separates(const ObstacleField& field, const Vec2& start, const 
   for (ObstacleIndex i = 0; i < field.size(); ++i) {
     if (is_ignored(i, ignored) || !has_extent(field.obstacles()[i])) continue;
     if (meets_bounds(field, i)) return true;
-    const Obstacle& one = field.obstacles()[i];
-    near_.clear();
-    field.maybe_near(i, 0.0, near_);
-    for (const ObstacleIndex other_index : near_) {
-      const Obstacle& other = field.obstacles()[other_index];
-      if (other_index < i || is_ignored(other_index, ignored) || !has_extent(other)) continue;
-      if (gap(one, other) >= -kTouch_m) continue;
-      // Through both obstacles: along a core, across the gap between the cores, along the other core.
-      const auto [p, q] = nearest_points(one, other);
-      const int along = crossings(middle_of(one), p) + crossings(p, q) + crossings(q, middle_of(other));
-      if (closes(i, other_index, along)) return true;
-    }
+  }
+  for (const Overlap& overlap : overlaps) {
+    if (is_ignored(overlap.one, ignored) || is_ignored(overlap.other, ignored)) continue;
+    const Vec2 one = middle_of(field.obstacles()[overlap.one]);
+    const Vec2 other = middle_of(field.obstacles()[overlap.other]);
+    const int along = crossings(one, overlap.from) + crossings(overlap.from, overlap.to) + crossings(overlap.to, other);
+    if (closes(overlap.one, overlap.other, along)) return true;
   }
   return false;
 }

@@ -9,14 +9,27 @@
 
 namespace regista::graph {
 
+/// Two obstacles of a field that overlap, and the way from the middle of one to the middle of the other that lies within
+/// both: along one's core to `from`, across to `to`, along the other's core.
+struct Overlap {
+  ObstacleIndex one = 0;
+  ObstacleIndex other = 0;
+  Vec2 from = Vec2::Zero();
+  Vec2 to = Vec2::Zero();
+};
+
+/// Appends all overlaps of the field, by `one`, which is the smaller index. Touching (kTouch_m) is none.
+void append_overlaps(const ObstacleField& field, std::vector<Overlap>& out);
+
 /// Two free points are separated if and only if some closed curve within the obstacles (and out of bounds) crosses the
 /// segment between them, in sum of signs, not zero times. Union-find over overlapping obstacles, where each one knows
 /// how often the way to it from its root crosses the segment: an overlap within a set closes a curve.
 /// Only scratch memory is kept between two questions.
 class Separation {
  public:
-  /// Start and goal must be free. Touching (kTouch_m) leaves a way.
-  bool separates(const ObstacleField& field, const Vec2& start, const Vec2& goal, std::span<const std::size_t> ignored);
+  /// Start and goal must be free; the overlaps are all of the field's.
+  bool separates(const ObstacleField& field, std::span<const Overlap> overlaps, const Vec2& start, const Vec2& goal,
+                 std::span<const std::size_t> ignored);
 
  private:
   struct Member {
@@ -33,7 +46,6 @@ class Separation {
   Vec2 start_ = Vec2::Zero();  ///< of the question that is being answered
   Vec2 along_ = Vec2::Zero();
   std::vector<Member> members_;  ///< by obstacle; the last is the outside of the bounds
-  std::vector<ObstacleIndex> near_;
 };
 
 }  // namespace regista::graph

@@ -17,6 +17,8 @@ void SharedGraph::reset(ObstacleField field) {
 void SharedGraph::forget() {
   contacts_.reset(field_.size());
   edges_.clear();
+  overlaps_.clear();
+  overlaps_known_ = false;
   legs_.clear();
   arena_.clear();
   sampled_.clear();
@@ -64,6 +66,12 @@ std::span<const ObstacleIndex> SharedGraph::blockers(NodeId from, NodeId to) {
   const BlockerList found{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
   edges_.insert(from, to, found);
   return list(found);
+}
+
+std::span<const Overlap> SharedGraph::overlaps() {
+  if (!overlaps_known_) append_overlaps(field_, overlaps_);
+  overlaps_known_ = true;
+  return overlaps_;
 }
 
 GraphPicture SharedGraph::picture() const {

@@ -10,6 +10,7 @@
 #include "planning/graph/contacts.h"
 #include "planning/graph/edge_memo.h"
 #include "planning/graph/graph_picture.h"
+#include "planning/graph/separation.h"
 #include "planning/obstacle_field.h"
 
 namespace regista::graph {
@@ -47,6 +48,9 @@ class SharedGraph {
   /// Where the boundary of an obstacle cannot be run along; `body` is the obstacle's. Valid until the graph is asked
   /// again.
   Contacts::Of contacts(ObstacleIndex obstacle, const Body& body) { return contacts_.of(field_, obstacle, body); }
+
+  /// All pairs of obstacles that overlap. Valid until the next frame.
+  std::span<const Overlap> overlaps();
 
   /// For the picture: a search has tested that leg against all obstacles.
   void note_leg(const Vec2& from, const Vec2& to, bool is_blocked) {
@@ -87,6 +91,8 @@ class SharedGraph {
   std::vector<Sampled> sampled_;  ///< by obstacle; empty until samples are asked for
   std::vector<Node> nodes_;       ///< by NodeId, likewise
   EdgeMemo edges_;
+  std::vector<Overlap> overlaps_;
+  bool overlaps_known_ = false;
   std::vector<Leg> legs_;
   std::vector<ObstacleIndex> arena_;  ///< all lists of blockers, one after the other
   std::vector<Vec2> scratch_;

@@ -49,7 +49,8 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
     ++legs_tested_;
     if (legs_tested_ % kLegsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
     if (legs_tested_ == kLegsBeforeProof) {
-      is_separated_ = separation_.separates(graph.field(), query_.start, query_.goal, query_.ignored);
+      is_separated_ =
+          separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
     }
     if (is_separated_ && legs_tested_ >= kLegsWithoutHope) return Progress::no_way;
     const Leg& leg = legs_[next.leg];

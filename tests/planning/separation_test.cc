@@ -14,7 +14,9 @@ namespace {
 
 bool separates(const ObstacleField& field, const Vec2& start, const Vec2& goal,
                std::span<const std::size_t> ignored = {}) {
-  return graph::Separation().separates(field, start, goal, ignored);
+  std::vector<graph::Overlap> overlaps;
+  graph::append_overlaps(field, overlaps);
+  return graph::Separation().separates(field, overlaps, start, goal, ignored);
 }
 
 }  // namespace
