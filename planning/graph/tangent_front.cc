@@ -29,6 +29,9 @@ constexpr double kRounding_m = 1e-12;
 /// So many active obstacles are tested at once as fast as one of them.
 constexpr std::size_t kFew = 8;
 
+/// And to so many it is cheaper to depart at once than to ask whether that is a detour.
+constexpr std::size_t kSome = 3;
+
 /// Of a place in a list, for ObstacleBoxes::Motion::left_out; none beyond the 64th.
 std::uint64_t bit(std::uint32_t place) { return place < 64 ? std::uint64_t{1} << place : 0; }
 
@@ -174,7 +177,7 @@ void TangentFront::set_departures(const Leg& leg) {
 /// Makes the leg's departures to the slot, or, where going there is a detour, puts it off until nothing better is left.
 void TangentFront::consider(LegIndex index, State slot_index) {
   constexpr double kDetour_m = 0.1;
-  if (slots_.size() > kFew) {
+  if (slots_.size() > kSome) {
     const Leg& leg = legs_[index];
     const Slot& slot = slots_[slot_index];
     const double least_m = leg.cost + (slot.middle - leg.to.point).norm() - slot.extent_m + slot.beyond_m;
