@@ -31,7 +31,8 @@ inline bool is_free_of_disc(const Vec2& from, const Vec2& to, const Vec2& centre
   return across * across >= least_m * least_m * length2;
 }
 
-/// The same for a capsule or a rounded rectangle: as soon as something is too near, the least clearance matters no more.
+/// The same for a capsule or a rounded rectangle: as soon as something is too near, the least clearance matters no
+/// more.
 bool is_free_of_extended(const Vec2& from, const Vec2& to, const Obstacle& obstacle);
 
 /// The clearance of the segment is not below -kTouch_m.

@@ -10,6 +10,10 @@
 
 namespace regista::bench {
 
+/// Queries a planner gets in a row before the next one's turn: as many, so as warm, as in a team's frame. With 1 the
+/// caches are cold.
+inline constexpr std::size_t kBatch = 11;
+
 struct Contender {
   std::string name;
   std::unique_ptr<Planner> planner;

@@ -59,38 +59,64 @@ class Race {
   }
 
  private:
+  struct Question {
+    Scene scene;
+    double length_m = 0.0;  ///< of the reference's answer
+    bool is_blocked = false;
+  };
+
   /// Until all queries are asked or the time is over.
   void race() {
     const SingleShot since;
     Progress progress("ompl-grid", options_.queries);
-    for (std::uint64_t i = 0; asked_ < options_.queries && since.s() < options_.for_s; ++i) {
-      std::mt19937_64 random(mixed(run_.seed, i));
-      Scene scene = eleven_against_eleven(random);
-      scene.request.budget.iterations = kUnlimitedIterations;
-      const Shot shot = plan_once(reference_, scene.world, scene.request);
-      if (reference_.answer.status != PlanStatus::ok || reference_.answer.length_m == 0.0) continue;
-      checker_.check(reference_.name, scene.world, scene.request, reference_.answer);
-      reference_us_.push_back(shot.total_us);
-      if (is_blocked()) reference_blocked_us_.push_back(shot.total_us);
-      ++asked_;
-      for (const std::size_t k : rotated(runners_.size(), i)) {
-        if (runners_[k].out.empty()) ask(runners_[k], scene);
+    for (std::uint64_t round = 0; asked_ < options_.queries && since.s() < options_.for_s; ++round) {
+      const std::vector<Question> batch = next_batch();
+      for (const std::size_t k : rotated(runners_.size(), round)) {
+        for (const Question& question : batch) {
+          if (runners_[k].out.empty()) ask(runners_[k], question);
+        }
       }
-      progress.advance();
+      progress.advance(batch.size());
     }
   }
 
-  bool is_blocked() const { return reference_.answer.path.size() > 2; }
+  /// Scenes that have a way, as the reference, whose turn this is, has found out.
+  std::vector<Question> next_batch() {
+    std::vector<Scene> scenes;
+    for (std::size_t i = 0; i < std::min(options_.batch, options_.queries - asked_); ++i) {
+      std::mt19937_64 random(mixed(run_.seed, scenes_++));
+      scenes.push_back(eleven_against_eleven(random));
+      scenes.back().request.budget.iterations = kUnlimitedIterations;
+    }
+    std::vector<Question> batch;
+    for (Scene& scene : scenes) {
+      const Shot shot = plan_once(reference_, scene.world, scene.request);
+      const Plan& answer = reference_.answer;
+      if (answer.status != PlanStatus::ok || answer.length_m == 0.0) continue;
+      reference_us_.push_back(shot.total_us);
+      const bool is_blocked = answer.path.size() > 2;
+      if (is_blocked) reference_blocked_us_.push_back(shot.total_us);
+      reference_answers_.push_back(answer);
+      batch.push_back({std::move(scene), answer.length_m, is_blocked});
+    }
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      checker_.check(reference_.name, batch[i].scene.world, batch[i].scene.request, reference_answers_[i]);
+    }
+    reference_answers_.clear();
+    asked_ += batch.size();
+    return batch;
+  }
 
-  void ask(Runner& runner, const Scene& scene) {
+  void ask(Runner& runner, const Question& question) {
     Contender& contender = runner.contender;
+    const Scene& scene = question.scene;
     const double time_us = plan_once(contender, scene.world, scene.request, runner.setting.time_us).total_us;
     runner.time_us.push_back(time_us);
-    if (is_blocked()) runner.blocked_us.push_back(time_us);
+    if (question.is_blocked) runner.blocked_us.push_back(time_us);
     const bool fine = checker_.check(contender.name, scene.world, scene.request, contender.answer);
     if (fine && contender.answer.status == PlanStatus::ok) {
       ++runner.answers;
-      runner.excess += contender.answer.length_m / reference_.answer.length_m - 1.0;
+      runner.excess += contender.answer.length_m / question.length_m - 1.0;
     } else {
       ++runner.failures;
     }
@@ -127,8 +153,11 @@ class Race {
                  100.0 * runner.success(), runner.answers > 0 ? Cell{runner.ratio()} : Cell{}, time.mean, time.p50,
                  time.p99, summarise(runner.blocked_us).mean, runner.out});
     }
-    table.notes = {"a setting that cannot qualify any more gets no more queries",
-                   "blocked mean: of the queries whose straight line is blocked; the others need no search"};
+    table.notes = {
+        fmt::format("single shots, all building included; each setting and the reference get {} quer{} in a row",
+                    options_.batch, options_.batch == 1 ? "y" : "ies"),
+        "a setting that cannot qualify any more gets no more queries",
+        "blocked mean: of the queries whose straight line is blocked; the others need no search"};
     return table;
   }
 
@@ -165,7 +194,9 @@ class Race {
   Contender reference_;
   std::vector<Runner> runners_;
   std::vector<double> reference_us_, reference_blocked_us_;
-  std::size_t asked_ = 0;
+  std::vector<Plan> reference_answers_;  ///< of the batch, until they are checked
+  std::uint64_t scenes_ = 0;             ///< made so far
+  std::size_t asked_ = 0;                ///< those that have a way
   Checker checker_;
 };
 

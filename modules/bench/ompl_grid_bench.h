@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "modules/bench/contender.h"
 #include "modules/bench/record.h"
 
 namespace regista::bench {
@@ -11,7 +12,8 @@ namespace regista::bench {
 struct GridOptions {
   std::size_t queries = 1000;
   std::filesystem::path grid;  ///< empty: the one shipped
-  double for_s = 300.0;        ///< about how long it may take; fewer queries then, and the table says how many
+  std::size_t batch = kBatch;
+  double for_s = 300.0;  ///< about how long it may take; fewer queries then, and the table says how many
   double length_ratio_max = 1.01;
   double success_min = 0.999;
 };

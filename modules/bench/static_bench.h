@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "modules/bench/contender.h"
 #include "modules/bench/record.h"
 
 namespace regista::bench {
@@ -15,8 +16,8 @@ struct StaticOptions {
   std::size_t queries = 10000;
   std::vector<std::string> planners;   ///< none: all of the registry
   double budget_us = kQueryBudget_us;  ///< per query, for planners that honour one; 0: none
-  std::size_t batch = 1;  ///< queries a planner gets in a row; 1: caches are cold, 11: as warm as in a team's frame
-  double for_s = 120.0;   ///< about how long it may take; slow planners get every k-th query
+  std::size_t batch = kBatch;
+  double for_s = 120.0;  ///< about how long it may take; slow planners get every k-th query
 };
 
 /// Returns the exit status. Throws UnknownPlanner. Lengths are compared with `tangent`, or with the best of all

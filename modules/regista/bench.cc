@@ -51,6 +51,10 @@ void add_count(CLI::App& command, const char* name, T& value, const char* help) 
   command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(1.0, 1e9));
 }
 
+void add_batch(CLI::App& command, std::size_t& batch) {
+  add_count(command, "--batch", batch, "queries in a row for each planner, before the next one's turn; 1: cold caches");
+}
+
 void add_for(CLI::App& command, double& for_s) {
   command.add_option("--for", for_s, "about how many seconds it may take")
       ->capture_default_str()
@@ -66,7 +70,7 @@ void add_static(CLI::App& parent, Action& action) {
   bench::StaticOptions& options = flags->options;
   add_count(*command, "--queries", options.queries, "how many");
   add_planners(*command, options.planners, "names, comma between; without it all of: regista planner list");
-  add_count(*command, "--batch", options.batch, "queries in a row for each planner, before the next one's turn");
+  add_batch(*command, options.batch);
   command->add_option("--budget-us", options.budget_us, "time per query, us; 0: no limit")
       ->capture_default_str()
       ->check(CLI::Range(0.0, 1e9));
@@ -98,6 +102,7 @@ void add_ompl_grid(CLI::App& parent, Action& action) {
   bench::GridOptions& options = flags->options;
   add_count(*command, "--queries", options.queries, "how many, at most");
   command->add_option("--grid", options.grid, "file of settings; without it the one shipped")->check(CLI::ExistingFile);
+  add_batch(*command, options.batch);
   add_for(*command, options.for_s);
 }
 

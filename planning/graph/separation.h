@@ -9,8 +9,8 @@
 
 namespace regista::graph {
 
-/// Two obstacles of a field that overlap, and the way from the middle of one to the middle of the other that lies within
-/// both: along one's core to `from`, across to `to`, along the other's core.
+/// Two obstacles of a field that overlap, and the way from the middle of one to the middle of the other that lies
+/// within both: along one's core to `from`, across to `to`, along the other's core.
 struct Overlap {
   ObstacleIndex one = 0;
   ObstacleIndex other = 0;

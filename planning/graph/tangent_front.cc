@@ -52,8 +52,7 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
     ++legs_tested_;
     if (legs_tested_ % kLegsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
     if (legs_tested_ == kLegsBeforeProof) {
-      is_separated_ =
-          separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
+      is_separated_ = separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
     }
     if (is_separated_ && legs_tested_ >= kLegsWithoutHope) return Progress::no_way;
     const Leg& leg = legs_[next.leg];
@@ -221,8 +220,7 @@ bool TangentFront::is_free_of_active(State from_state, State to_state, ObstacleB
   const State from = from_state / 2;
   const State to = to_state / 2;
   const auto blocks = [&](State slot) {
-    return slot != from && slot != to &&
-           !is_free(motion.from, motion.to, field_->obstacles()[slots_[slot].obstacle]);
+    return slot != from && slot != to && !is_free(motion.from, motion.to, field_->obstacles()[slots_[slot].obstacle]);
   };
   // What blocked a leg blocks its neighbours as well. Among few it is not worth the question.
   for (std::size_t k = 0; slots_.size() > kFew && k < recent_.size(); ++k) {
