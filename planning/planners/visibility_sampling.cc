@@ -13,6 +13,9 @@ void VisibilitySampling::search(graph::SharedGraph& graph, const Query& query, S
   const End end = search_.find(graph, query, result.path);
   if (end == End::goal) {
     result.status = PlanStatus::ok;
+  } else if (end == End::no_way) {
+    result.status = PlanStatus::unreachable;
+    result.reason = "obstacles close every way";
   } else {
     result.reason = end == End::no_time ? "the time was spent" : "no way over the samples";
   }

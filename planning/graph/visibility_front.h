@@ -1,0 +1,88 @@
+// One search for the shortest path over samples: lazy A* from one end, a few edges at a time. After "A Mapping &
+// Planning Algorithm for RoboCup Small Size League" (BuildGraph), turned inside out: an obstacle is sampled when it
+// blocks an edge that the search is about to use.
+#pragma once
+
+#include <array>
+
+#include "planning/graph/shared_graph.h"
+#include "planning/request.h"
+
+namespace regista::graph {
+
+/// Nodes are the query's start and goal and the free samples of marked obstacles. Edges wait in a queue with an
+/// optimistic cost. One that comes first and is blocked by no marked obstacle marks the one it crosses deepest, whose
+/// samples become nodes; a covered sample that comes first does the same with what covers it (the paper's recursion).
+/// An edge that reaches the goal ends the search, so the path is the shortest over all free samples of the obstacles
+/// marked by then. The answer depends on field and query alone. Only scratch memory is kept between two searches.
+class VisibilityFront {
+ public:
+  enum class Progress { going_on, goal, no_samples, no_time };
+
+  /// Begins at the query's start.
+  void begin(SharedGraph& graph, const Query& query);
+
+  /// Looks at so many more edges, unless it ends before. no_samples: there is no way over the samples of the field. The
+  /// time is asked for once in 64 edges.
+  Progress advance(SharedGraph& graph, int edges);
+
+  /// After goal: from the start to it. Else to the node nearest to the goal among those reached, which may be the start
+  /// alone.
+  void trace(std::vector<Vec2>& path) const;
+
+  /// Obstacles the search sampled, in the order in which it marked them.
+  std::span<const ObstacleIndex> marked() const { return marked_; }
+
+ private:
+  using Local = std::uint32_t;  ///< index into nodes_; 0 is the start, 1 the goal
+
+  struct Node {
+    Vec2 position;
+    double cost;       ///< least known from the start
+    double heuristic;  ///< straight line to the goal
+    Local parent;
+    NodeId shared;             ///< in the shared graph; of no meaning for start and goal
+    ObstacleIndex covered_by;  ///< no node at all, but a reason to mark that obstacle; else kBounds
+    bool is_expanded;
+  };
+  struct Edge {
+    double estimate;  ///< cost + heuristic at its end
+    double cost;      ///< from the start to its end
+    Local from;
+    Local to;
+    std::uint32_t free_of;  ///< how many of the marked obstacles it was tested against
+  };
+
+  void add_node(const Vec2& position, NodeId shared, ObstacleIndex covered_by);
+  void add_samples(SharedGraph& graph, ObstacleIndex obstacle);
+  void expand(Local node);
+  void queue_edge(Local from, Local to);
+  bool next_edge(Edge& edge);
+  bool is_open(SharedGraph& graph, const Edge& edge);
+  bool is_free_of_marked(const Vec2& from, const Vec2& to);
+  void mark(SharedGraph& graph, ObstacleIndex obstacle);
+  bool mark_rest(SharedGraph& graph);
+
+  /// The one that the segment crosses deepest among those that are obstacles to this robot; kBounds when one of them is
+  /// marked already, or none is left.
+  ObstacleIndex worth_marking(const Vec2& from, const Vec2& to, std::span<const ObstacleIndex> blockers) const;
+  bool blocks_one(std::span<const ObstacleIndex> obstacles) const;
+
+  /// Heap order: the edge with the larger estimate comes later; ties go by node, so that the order is total.
+  static bool later(const Edge& a, const Edge& b);
+
+  Query query_;  ///< of the search that runs
+  const ObstacleField* field_ = nullptr;
+  std::vector<Node> nodes_;
+  std::vector<Local> expanded_;
+  std::vector<Edge> queue_;  ///< a heap, least estimate first
+  std::vector<ObstacleIndex> marked_;
+  ObstacleBoxes marked_boxes_;             ///< the same, for fast tests
+  std::vector<std::uint8_t> is_marked_;    ///< by obstacle
+  std::array<ObstacleIndex, 4> recent_{};  ///< marked discs that blocked something lately
+  std::vector<ObstacleIndex> blockers_;    ///< scratch
+  int edges_tested_ = 0;
+  Local last_ = 0;  ///< the goal, or the node nearest to it among those reached
+};
+
+}  // namespace regista::graph
