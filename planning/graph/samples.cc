@@ -1,5 +1,6 @@
 #include "planning/graph/samples.h"
 
+#include <algorithm>
 #include <array>
 
 namespace regista::graph {
@@ -24,12 +25,11 @@ constexpr std::array<std::array<double, 2>, kSamplesNear> kDirections{{{1.0, 0.0
 constexpr double kReachFar = std::numbers::sqrt2;
 constexpr double kReachNear = 1.0823922002923938;
 
-bool is_near_another(const ObstacleField& field, ObstacleIndex index) {
+bool is_near_another(const ObstacleField& field, ObstacleIndex index, std::span<const ObstacleIndex> neighbours) {
   const Obstacle& obstacle = field.obstacles()[index];
-  for (ObstacleIndex other = 0; other < field.size(); ++other) {
-    if (other != index && gap(obstacle, field.obstacles()[other]) <= kNear_m) return true;
-  }
-  return false;
+  return std::any_of(neighbours.begin(), neighbours.end(), [&](ObstacleIndex other) {
+    return other != index && gap(obstacle, field.obstacles()[other]) <= kNear_m;
+  });
 }
 
 /// Around one end of the obstacle's core, which is both ends for a disc.
@@ -64,20 +64,33 @@ std::size_t samples_max(const Obstacle& obstacle) {
     case Core::point:
       return kSamplesNear;
     case Core::segment:
-      return std::size_t{2} * kSamplesNear;
+      return kSamplesMax;
     case Core::rectangle:
       break;
   }
   return 4;
 }
 
+double samples_reach_m(double radius_m) {
+  // A disc's sample stands off by the most where there are few; so does a rectangle's corner.
+  constexpr double kRounding = 1.0 + 1e-6;
+  return std::max(kNear_m, (kReachFar - 1.0) * radius_m) * kRounding;
+}
+
 void append_samples(const ObstacleField& field, ObstacleIndex index, std::vector<Vec2>& out) {
+  std::vector<ObstacleIndex> neighbours;
+  field.maybe_near(index, samples_reach_m(field.obstacles()[index].radius_m), neighbours);
+  append_samples(field, index, neighbours, out);
+}
+
+void append_samples(const ObstacleField& field, ObstacleIndex index, std::span<const ObstacleIndex> neighbours,
+                    std::vector<Vec2>& out) {
   const Obstacle& obstacle = field.obstacles()[index];
   if (obstacle.core == Core::rectangle) {
     append_corners(obstacle, field.bounds(), out);
     return;
   }
-  const bool near = is_near_another(field, index);
+  const bool near = is_near_another(field, index, neighbours);
   append_circle(obstacle, obstacle.a, near, field.bounds(), out);
   if (obstacle.core == Core::segment) append_circle(obstacle, obstacle.b, near, field.bounds(), out);
 }

@@ -1,6 +1,6 @@
 #include "planning/graph/shared_graph.h"
 
-#include "planning/graph/samples.h"
+#include <algorithm>
 
 namespace regista::graph {
 
@@ -16,46 +16,33 @@ void SharedGraph::reset(ObstacleField field) {
 
 void SharedGraph::forget() {
   contacts_.reset(field_.size());
+  sample_counts_.assign(field_.size(), kUnknown);
   edges_.clear();
   overlaps_.clear();
   overlaps_known_ = false;
   legs_.clear();
   arena_.clear();
-  sampled_.clear();
-}
-
-void SharedGraph::number_samples() {
-  sampled_.assign(field_.size(), Sampled{});
-  NodeId next = 0;
-  for (std::size_t i = 0; i < field_.size(); ++i) {
-    sampled_[i].first = next;
-    next += static_cast<NodeId>(samples_max(field_.obstacles()[i]));
-  }
-  nodes_.assign(next, Node{});
 }
 
 SharedGraph::Samples SharedGraph::samples(ObstacleIndex obstacle) {
-  if (sampled_.empty()) number_samples();
-  Sampled& sampled = sampled_[obstacle];
-  if (!sampled.known) {
-    scratch_.clear();
-    append_samples(field_, obstacle, scratch_);
-    sampled.count = static_cast<std::uint32_t>(scratch_.size());
-    for (std::uint32_t k = 0; k < sampled.count; ++k) nodes_[sampled.first + k].position = scratch_[k];
-    sampled.known = true;
-  }
-  return {sampled.first, sampled.count};
+  if (sample_counts_[obstacle] == kUnknown) sample(obstacle);
+  return {static_cast<NodeId>(obstacle * kSamplesMax), sample_counts_[obstacle]};
 }
 
-std::span<const ObstacleIndex> SharedGraph::covering(NodeId node) {
-  Node& n = nodes_[node];
-  if (!n.covering_known) {
+void SharedGraph::sample(ObstacleIndex obstacle) {
+  if (nodes_.size() < field_.size() * kSamplesMax) nodes_.resize(field_.size() * kSamplesMax);
+  neighbours_.clear();
+  samples_.clear();
+  field_.maybe_near(obstacle, samples_reach_m(field_.obstacles()[obstacle].radius_m), neighbours_);
+  append_samples(field_, obstacle, neighbours_, samples_);
+  for (std::size_t k = 0; k < samples_.size(); ++k) {
     const std::size_t begin = arena_.size();
-    field_.covering(n.position, arena_);
-    n.covering = {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
-    n.covering_known = true;
+    for (const ObstacleIndex other : neighbours_) {
+      if (!is_free(samples_[k], samples_[k], field_.obstacles()[other])) arena_.push_back(other);
+    }
+    nodes_[obstacle * kSamplesMax + k] = {samples_[k], list_from(begin)};
   }
-  return list(n.covering);
+  sample_counts_[obstacle] = static_cast<std::uint8_t>(samples_.size());
 }
 
 std::span<const ObstacleIndex> SharedGraph::blockers(NodeId from, NodeId to) {
@@ -63,7 +50,7 @@ std::span<const ObstacleIndex> SharedGraph::blockers(NodeId from, NodeId to) {
   const std::size_t begin = arena_.size();
   // From the smaller to the larger number: rounding must not depend on who asks.
   field_.blockers(nodes_[std::min(from, to)].position, nodes_[std::max(from, to)].position, arena_);
-  const BlockerList found{static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
+  const BlockerList found = list_from(begin);
   edges_.insert(from, to, found);
   return list(found);
 }
@@ -77,9 +64,10 @@ std::span<const Overlap> SharedGraph::overlaps() {
 GraphPicture SharedGraph::picture() const {
   GraphPicture picture;
   std::vector<std::uint32_t> drawn(nodes_.size(), 0);
-  for (const Sampled& sampled : sampled_) {
-    if (!sampled.known) continue;
-    for (NodeId node = sampled.first; node < sampled.first + sampled.count; ++node) {
+  for (std::size_t obstacle = 0; obstacle < sample_counts_.size(); ++obstacle) {
+    if (sample_counts_[obstacle] == kUnknown) continue;
+    for (std::size_t k = 0; k < sample_counts_[obstacle]; ++k) {
+      const std::size_t node = obstacle * kSamplesMax + k;
       drawn[node] = static_cast<std::uint32_t>(picture.nodes.size());
       picture.nodes.push_back(nodes_[node].position);
     }

@@ -10,13 +10,14 @@
 #include "planning/graph/contacts.h"
 #include "planning/graph/edge_memo.h"
 #include "planning/graph/graph_picture.h"
+#include "planning/graph/samples.h"
 #include "planning/graph/separation.h"
 #include "planning/obstacle_field.h"
 
 namespace regista::graph {
 
-/// A sample point: its obstacle's first number plus its place among the samples of that obstacle. The same in every
-/// graph of the same field, whatever was asked before.
+/// A sample point: kSamplesMax times its obstacle's index plus its place among the samples of that obstacle. The same
+/// in every graph of the same field, whatever was asked before.
 using NodeId = std::uint32_t;
 
 class SharedGraph {
@@ -24,7 +25,7 @@ class SharedGraph {
   SharedGraph() = default;
   explicit SharedGraph(ObstacleField field) { reset(std::move(field)); }
 
-  /// Begins a new frame, keeping the memory. Throws as ObstacleField does.
+  /// Begins a new frame, keeping the memory, and what is known when nothing has moved. Throws as ObstacleField does.
   void reset(const Bounds& bounds, std::span<const Obstacle> obstacles);
   void reset(ObstacleField field);
 
@@ -40,9 +41,9 @@ class SharedGraph {
   /// Valid for nodes that samples() has returned.
   const Vec2& position(NodeId node) const { return nodes_[node].position; }
 
-  /// Obstacles that cover a sample / block the edge between two samples, by index. The span is valid until the graph
-  /// is asked again.
-  std::span<const ObstacleIndex> covering(NodeId node);
+  /// Obstacles that cover a sample / block the edge between two samples, by index, for nodes that samples() has
+  /// returned. The span is valid until the graph is asked again.
+  std::span<const ObstacleIndex> covering(NodeId node) const { return list(nodes_[node].covering); }
   std::span<const ObstacleIndex> blockers(NodeId from, NodeId to);
 
   /// Where the boundary of an obstacle cannot be run along; `body` is the obstacle's. Valid until the graph is asked
@@ -64,7 +65,6 @@ class SharedGraph {
   struct Node {
     Vec2 position = Vec2::Zero();
     BlockerList covering;
-    bool covering_known = false;
   };
   struct Leg {
     Vec2 from, to;
@@ -73,29 +73,31 @@ class SharedGraph {
   /// A picture is to fit into one datagram.
   static constexpr std::size_t kLegsInPicture = 1000;
 
-  struct Sampled {
-    NodeId first = 0;
-    std::uint32_t count = 0;
-    bool known = false;
-  };
+  static constexpr std::uint8_t kUnknown = 0xFF;
 
   std::span<const ObstacleIndex> list(BlockerList blockers) const {
     return {arena_.data() + blockers.begin, blockers.count};
   }
 
+  /// The arena from `begin` to its end.
+  BlockerList list_from(std::size_t begin) const {
+    return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
+  }
+
   void forget();
-  void number_samples();
+  void sample(ObstacleIndex obstacle);
 
   ObstacleField field_;
   Contacts contacts_;
-  std::vector<Sampled> sampled_;  ///< by obstacle; empty until samples are asked for
-  std::vector<Node> nodes_;       ///< by NodeId, likewise
+  std::vector<std::uint8_t> sample_counts_;  ///< by obstacle, or kUnknown
+  std::vector<Node> nodes_;                  ///< by NodeId; of no meaning where the obstacle was not sampled
   EdgeMemo edges_;
   std::vector<Overlap> overlaps_;
   bool overlaps_known_ = false;
   std::vector<Leg> legs_;
-  std::vector<ObstacleIndex> arena_;  ///< all lists of blockers, one after the other
-  std::vector<Vec2> scratch_;
+  std::vector<ObstacleIndex> arena_;       ///< all lists of blockers, one after the other
+  std::vector<ObstacleIndex> neighbours_;  ///< scratch
+  std::vector<Vec2> samples_;              ///< scratch
 };
 
 }  // namespace regista::graph
