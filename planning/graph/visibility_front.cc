@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace regista::graph {
 namespace {
@@ -11,6 +12,11 @@ constexpr std::uint32_t kGoal = 1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr int kEdgesPerTimeCheck = 64;
+
+/// Edges whose way is longer wait outside of the queue: at first by that share and length more than the straight line,
+/// later by that share more than what is needed.
+constexpr double kDetour = 1.15;
+constexpr double kDetour_m = 0.1;
 
 }  // namespace
 
@@ -26,6 +32,8 @@ void VisibilityFront::begin(SharedGraph& graph, const Query& query) {
   recent_.fill(kBounds);
   edges_tested_ = 0;
   last_ = kStart;
+  limit_m_ = kDetour * (query.goal - query.start).norm() + kDetour_m;
+  least_beyond_m_ = kInfinity;
   add_node(query.start, 0, kBounds);
   add_node(query.goal, 0, kBounds);
   nodes_[kStart].cost = 0.0;
@@ -84,13 +92,20 @@ bool VisibilityFront::blocks_one(std::span<const ObstacleIndex> obstacles) const
                      [this](ObstacleIndex i) { return !is_ignored(i, query_.ignored); });
 }
 
-void VisibilityFront::queue_edge(Local from, Local to) {
+/// Queues the edge where it may shorten the way to its end by now; edges whose estimate is `done_m` or less have been.
+void VisibilityFront::queue_edge(Local from, Local to, double done_m) {
   const Node& source = nodes_[from];
   const Node& target = nodes_[to];
-  if (target.covered_by != kBounds && is_marked_[target.covered_by] != 0) return;
+  if (target.cost <= source.cost) return;
   const double cost = source.cost + (target.position - source.position).norm();
-  if (cost >= target.cost || !is_free_of_marked(source.position, target.position)) return;
-  queue_.push_back({cost + target.heuristic, cost, from, to, static_cast<std::uint32_t>(marked_.size())});
+  const double estimate = cost + target.heuristic;
+  if (cost >= target.cost || estimate <= done_m || is_void(target)) return;
+  if (estimate > limit_m_) {
+    least_beyond_m_ = std::min(least_beyond_m_, estimate);
+    return;
+  }
+  if (!is_free_of_marked(source.position, target.position)) return;
+  queue_.push_back({estimate, cost, from, to, static_cast<std::uint32_t>(marked_.size())});
   std::push_heap(queue_.begin(), queue_.end(), later);
 }
 
@@ -106,20 +121,35 @@ void VisibilityFront::expand(Local node) {
     expanded_.push_back(node);
   }
   for (Local to = kGoal; to < nodes_.size(); ++to) {
-    if (to != node) queue_edge(node, to);
+    if (to != node) queue_edge(node, to, 0.0);
   }
 }
 
 /// Takes the most promising edge that can still improve its end; false when there is none.
 bool VisibilityFront::next_edge(Edge& edge) {
-  while (!queue_.empty()) {
-    edge = queue_.front();
-    std::pop_heap(queue_.begin(), queue_.end(), later);
-    queue_.pop_back();
-    const Node& to = nodes_[edge.to];
-    if (edge.cost < to.cost && (to.covered_by == kBounds || is_marked_[to.covered_by] == 0)) return true;
-  }
+  do {
+    while (!queue_.empty()) {
+      edge = queue_.front();
+      std::pop_heap(queue_.begin(), queue_.end(), later);
+      queue_.pop_back();
+      const Node& to = nodes_[edge.to];
+      if (edge.cost < to.cost && !is_void(to)) return true;
+    }
+  } while (widen());
   return false;
+}
+
+/// Queues the edges that have waited for a longer way to be needed; false when there are none.
+bool VisibilityFront::widen() {
+  if (least_beyond_m_ == kInfinity) return false;
+  const double done_m = std::exchange(limit_m_, kDetour * least_beyond_m_);
+  least_beyond_m_ = kInfinity;
+  for (const Local from : expanded_) {
+    for (Local to = kGoal; to < nodes_.size(); ++to) {
+      if (to != from) queue_edge(from, to, done_m);
+    }
+  }
+  return true;
 }
 
 /// Marked obstacles alone.
@@ -185,7 +215,7 @@ void VisibilityFront::mark(SharedGraph& graph, ObstacleIndex obstacle) {
   const Local first_node = static_cast<Local>(nodes_.size());
   add_samples(graph, obstacle);
   for (const Local from : expanded_) {
-    for (Local to = first_node; to < nodes_.size(); ++to) queue_edge(from, to);
+    for (Local to = first_node; to < nodes_.size(); ++to) queue_edge(from, to, 0.0);
   }
 }
 

@@ -56,7 +56,9 @@ class VisibilityFront {
   void add_node(const Vec2& position, NodeId shared, ObstacleIndex covered_by);
   void add_samples(SharedGraph& graph, ObstacleIndex obstacle);
   void expand(Local node);
-  void queue_edge(Local from, Local to);
+  void queue_edge(Local from, Local to, double done_m);
+  bool widen();
+  bool is_void(const Node& node) const { return node.covered_by != kBounds && is_marked_[node.covered_by] != 0; }
   bool next_edge(Edge& edge);
   bool is_open(SharedGraph& graph, const Edge& edge);
   bool is_free_of_marked(const Vec2& from, const Vec2& to);
@@ -81,6 +83,8 @@ class VisibilityFront {
   std::vector<std::uint8_t> is_marked_;    ///< by obstacle
   std::array<ObstacleIndex, 4> recent_{};  ///< marked discs that blocked something lately
   std::vector<ObstacleIndex> blockers_;    ///< scratch
+  double limit_m_ = 0.0;                   ///< edges of a larger estimate wait outside of the queue
+  double least_beyond_m_ = 0.0;            ///< the least estimate of these
   int edges_tested_ = 0;
   Local last_ = 0;  ///< the goal, or the node nearest to it among those reached
 };
