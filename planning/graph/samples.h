@@ -17,7 +17,7 @@ inline constexpr int kSamplesFar = 4;
 inline constexpr int kSamplesNear = 8;
 
 /// No obstacle has more.
-inline constexpr std::size_t kSamplesMax = 2 * kSamplesNear;
+inline constexpr std::size_t kSamplesMax = std::size_t{2} * kSamplesNear;
 
 /// An upper bound of the number of samples of an obstacle of this kind.
 std::size_t samples_max(const Obstacle& obstacle);

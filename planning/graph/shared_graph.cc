@@ -1,17 +1,42 @@
 #include "planning/graph/shared_graph.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace regista::graph {
+namespace {
+
+/// To the bit: 0 and -0 are equal, but not in what follows from them.
+bool is_same(double one, double other) {
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
+}
+bool is_same(const Vec2& one, const Vec2& other) { return is_same(one.x(), other.x()) && is_same(one.y(), other.y()); }
+bool is_same(const Obstacle& one, const Obstacle& other) {
+  return one.core == other.core && is_same(one.a, other.a) && is_same(one.b, other.b) &&
+         is_same(one.radius_m, other.radius_m);
+}
+
+}  // namespace
 
 void SharedGraph::reset(const Bounds& bounds, std::span<const Obstacle> obstacles) {
+  legs_.clear();
+  if (is_same_field(bounds, obstacles)) return;
   field_.assign(bounds, obstacles);
   forget();
 }
 
 void SharedGraph::reset(ObstacleField field) {
+  legs_.clear();
+  if (is_same_field(field.bounds(), field.obstacles())) return;
   field_ = std::move(field);
   forget();
+}
+
+bool SharedGraph::is_same_field(const Bounds& bounds, std::span<const Obstacle> obstacles) const {
+  const std::span<const Obstacle> known = field_.obstacles();
+  return is_same(bounds.half_extent_m, field_.bounds().half_extent_m) &&
+         std::equal(known.begin(), known.end(), obstacles.begin(), obstacles.end(),
+                    [](const Obstacle& one, const Obstacle& other) { return is_same(one, other); });
 }
 
 void SharedGraph::forget() {
@@ -20,7 +45,6 @@ void SharedGraph::forget() {
   edges_.clear();
   overlaps_.clear();
   overlaps_known_ = false;
-  legs_.clear();
   arena_.clear();
 }
 

@@ -1,6 +1,6 @@
 // The visibility-sampling graph of one team and frame, grown lazily by its robots' searches. It memoises pure functions
 // of the frame's field (the samples of an obstacle, what covers a sample, what blocks an edge), so it makes searches
-// faster and cannot change their answers.
+// faster and cannot change their answers. While nothing moves it is kept from frame to frame.
 #pragma once
 
 #include <cstdint>
@@ -84,6 +84,7 @@ class SharedGraph {
     return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(arena_.size() - begin)};
   }
 
+  bool is_same_field(const Bounds& bounds, std::span<const Obstacle> obstacles) const;
   void forget();
   void sample(ObstacleIndex obstacle);
 

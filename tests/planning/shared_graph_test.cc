@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "planning/graph/samples.h"
 #include "planning/registry.h"
@@ -94,6 +95,118 @@ TEST_CASE("adding an obstacle never opens an edge between nodes that were there 
         const auto new_to = same(to);
         if (from == to || new_from == new_nodes.end() || new_to == new_nodes.end()) continue;
         if (after.blockers(*new_from, *new_to).empty()) REQUIRE(before.blockers(from, to).empty());
+      }
+    }
+  }
+}
+
+namespace {
+
+enum class Change { none, one_moves, one_comes, one_goes, sign_of_zero, all_move };
+
+/// The next frame's obstacles, and whatever the change is, all of them valid.
+void change(std::mt19937_64& random, const Bounds& bounds, Change change, std::vector<Obstacle>& obstacles) {
+  const auto any = [&] { return random() % obstacles.size(); };
+  switch (change) {
+    case Change::none:
+      break;
+    case Change::one_moves:
+      obstacles[any()] = testing::random_obstacle(random, bounds);
+      break;
+    case Change::one_comes:
+      obstacles.push_back(testing::random_obstacle(random, bounds));
+      break;
+    case Change::one_goes:
+      if (obstacles.size() > 1) obstacles.erase(obstacles.begin() + static_cast<std::ptrdiff_t>(any()));
+      break;
+    case Change::sign_of_zero:
+      obstacles[0] = disc({std::signbit(obstacles[0].a.x()) ? 0.0 : -0.0, 0.0}, 0.3);
+      break;
+    case Change::all_move:
+      for (Obstacle& obstacle : obstacles) obstacle = testing::random_obstacle(random, bounds);
+      break;
+  }
+}
+
+/// Of all nodes and edges; asking changes neither graph's content.
+void require_same_content(SharedGraph& kept, SharedGraph& fresh) {
+  const std::vector<NodeId> nodes = all_nodes(fresh);
+  REQUIRE(all_nodes(kept) == nodes);
+  for (const NodeId from : nodes) {
+    REQUIRE(kept.position(from) == fresh.position(from));
+    REQUIRE(copied(kept.covering(from)) == copied(fresh.covering(from)));
+    for (const NodeId to : nodes) {
+      if (to != from) REQUIRE(copied(kept.blockers(from, to)) == copied(fresh.blockers(from, to)));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a graph that goes on from frame to frame equals one built anew, and so do the answers") {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    std::mt19937_64 random(seed);
+    const ObstacleField first = testing::random_field(random, 8);
+    std::vector<Obstacle> obstacles(first.obstacles().begin(), first.obstacles().end());
+    SharedGraph kept;
+    for (int frame = 0; frame < 12; ++frame) {
+      const auto kind = static_cast<Change>(random() % 6);
+      change(random, first.bounds(), kind, obstacles);
+      const ObstacleField field(first.bounds(), obstacles);
+      if (frame % 2 == 0) {
+        kept.reset(field);
+      } else {
+        kept.reset(field.bounds(), obstacles);
+      }
+      CAPTURE(seed, frame, static_cast<int>(kind));
+      for (const char* name : {"visibility_sampling", "tangent"}) {
+        const std::unique_ptr<Planner> planner = make_planner(name);
+        for (int robot = 0; robot < 4; ++robot) {
+          const PlanRequest request = testing::random_request(random, field);
+          const Plan plan = planner->plan(kept, request);
+          REQUIRE(plan == planner->plan(field, request));
+        }
+      }
+      if (frame % 3 != 0) continue;  // else everything is known from the first frame on
+      SharedGraph fresh(field);
+      require_same_content(kept, fresh);
+    }
+  }
+}
+
+TEST_CASE("nothing is forgotten while nothing moves") {
+  const std::vector<Obstacle> obstacles{disc({-2, 0}, 0.5), disc({2, 0}, 0.5)};
+  SharedGraph graph(ObstacleField({{5, 5}}, obstacles));
+  graph.blockers(graph.samples(0).first, graph.samples(1).first);
+  const GraphPicture before = graph.picture();
+  graph.note_leg({0, 0}, {1, 1}, false);
+  graph.reset({{5, 5}}, obstacles);
+  CHECK(graph.picture().nodes == before.nodes);
+  CHECK(graph.picture().edges == before.edges);
+  graph.reset({{5, 6}}, obstacles);
+  CHECK(graph.picture().nodes.empty());
+}
+
+TEST_CASE("the order of obstacles changes no length between two nodes of the graph") {
+  std::mt19937_64 random(16);
+  for (int world = 0; world < 50; ++world) {
+    const ObstacleField field = testing::random_field(random, 10);
+    SharedGraph graph(field);
+    SharedGraph reversed(
+        ObstacleField(field.bounds(), std::vector<Obstacle>(field.obstacles().rbegin(), field.obstacles().rend())));
+    const auto other = [&](NodeId node) {
+      const auto obstacle = static_cast<ObstacleIndex>(node / kSamplesMax);
+      const auto last = static_cast<ObstacleIndex>(field.size() - 1);
+      return static_cast<NodeId>(reversed.samples(last - obstacle).first + node % kSamplesMax);
+    };
+    CAPTURE(world);
+    const std::vector<NodeId> nodes = all_nodes(graph);
+    REQUIRE(all_nodes(reversed).size() == nodes.size());
+    for (const NodeId from : nodes) {
+      REQUIRE(reversed.position(other(from)) == graph.position(from));
+      REQUIRE(reversed.covering(other(from)).size() == graph.covering(from).size());
+      for (const NodeId to : nodes) {
+        if (to != from) REQUIRE(reversed.blockers(other(from), other(to)).empty() == graph.blockers(from, to).empty());
       }
     }
   }
