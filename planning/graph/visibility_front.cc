@@ -18,12 +18,17 @@ constexpr int kEdgesPerTimeCheck = 64;
 constexpr double kDetour = 1.15;
 constexpr double kDetour_m = 0.1;
 
+/// A search that has come to an end looks for other obstacles that near at first; what is that far apart is no gap that
+/// is hard to get through.
+constexpr double kRestWithin_m = kNear_m;
+
 }  // namespace
 
 void VisibilityFront::begin(SharedGraph& graph, const Query& query) {
   query_ = query;
   field_ = &graph.field();
   nodes_.clear();
+  targets_.clear();
   expanded_.clear();
   queue_.clear();
   marked_.clear();
@@ -31,11 +36,14 @@ void VisibilityFront::begin(SharedGraph& graph, const Query& query) {
   is_marked_.assign(field_->size(), 0);
   recent_.fill(kBounds);
   edges_tested_ = 0;
+  rest_within_m_ = kRestWithin_m;
+  targets_checked_at_ = 0;
   last_ = kStart;
   limit_m_ = kDetour * (query.goal - query.start).norm() + kDetour_m;
   least_beyond_m_ = kInfinity;
   add_node(query.start, 0, kBounds);
   add_node(query.goal, 0, kBounds);
+  targets_.erase(targets_.begin());  // nothing leads back to the start
   nodes_[kStart].cost = 0.0;
   if (query.straight_blockers.empty()) {
     expand(kStart);
@@ -74,6 +82,7 @@ VisibilityFront::Progress VisibilityFront::advance(SharedGraph& graph, int edges
 }
 
 void VisibilityFront::add_node(const Vec2& position, NodeId shared, ObstacleIndex covered_by) {
+  targets_.push_back(static_cast<Local>(nodes_.size()));
   nodes_.push_back({position, kInfinity, (query_.goal - position).norm(), kStart, shared, covered_by, false});
 }
 
@@ -99,7 +108,7 @@ void VisibilityFront::queue_edge(Local from, Local to, double done_m) {
   if (target.cost <= source.cost) return;
   const double cost = source.cost + (target.position - source.position).norm();
   const double estimate = cost + target.heuristic;
-  if (cost >= target.cost || estimate <= done_m || is_void(target)) return;
+  if (cost >= target.cost || estimate <= done_m) return;
   if (estimate > limit_m_) {
     least_beyond_m_ = std::min(least_beyond_m_, estimate);
     return;
@@ -120,9 +129,17 @@ void VisibilityFront::expand(Local node) {
     nodes_[node].is_expanded = true;
     expanded_.push_back(node);
   }
-  for (Local to = kGoal; to < nodes_.size(); ++to) {
+  drop_void_targets();
+  for (const Local to : targets_) {
     if (to != node) queue_edge(node, to, 0.0);
   }
+}
+
+/// A covered sample is of no use any more once what covers it is marked.
+void VisibilityFront::drop_void_targets() {
+  if (marked_.size() == targets_checked_at_) return;
+  targets_checked_at_ = marked_.size();
+  std::erase_if(targets_, [this](Local node) { return is_void(nodes_[node]); });
 }
 
 /// Takes the most promising edge that can still improve its end; false when there is none.
@@ -144,8 +161,9 @@ bool VisibilityFront::widen() {
   if (least_beyond_m_ == kInfinity) return false;
   const double done_m = std::exchange(limit_m_, kDetour * least_beyond_m_);
   least_beyond_m_ = kInfinity;
+  drop_void_targets();
   for (const Local from : expanded_) {
-    for (Local to = kGoal; to < nodes_.size(); ++to) {
+    for (const Local to : targets_) {
       if (to != from) queue_edge(from, to, done_m);
     }
   }
@@ -207,26 +225,49 @@ ObstacleIndex VisibilityFront::worth_marking(const Vec2& from, const Vec2& to,
   return deepest;
 }
 
-/// Samples it and queues the edges from everything expanded to the new nodes.
 void VisibilityFront::mark(SharedGraph& graph, ObstacleIndex obstacle) {
+  add_to_marked(obstacle);
+  const std::size_t targets_before = targets_.size();
+  add_samples(graph, obstacle);
+  queue_edges_to(targets_before);
+}
+
+void VisibilityFront::add_to_marked(ObstacleIndex obstacle) {
   is_marked_[obstacle] = 1;
   marked_.push_back(obstacle);
   marked_boxes_.append(field_->obstacles()[obstacle], obstacle);
-  const Local first_node = static_cast<Local>(nodes_.size());
-  add_samples(graph, obstacle);
+}
+
+/// From everything expanded to the new targets.
+void VisibilityFront::queue_edges_to(std::size_t first_target) {
   for (const Local from : expanded_) {
-    for (Local to = first_node; to < nodes_.size(); ++to) queue_edge(from, to, 0.0);
+    for (std::size_t i = first_target; i < targets_.size(); ++i) queue_edge(from, targets_[i], 0.0);
   }
 }
 
-/// Nothing that stands in the way helps any more: before giving up, the obstacles that never did are sampled as well.
-/// False when all were marked already.
+/// Nothing that stands in the way helps any more: before giving up, the obstacles that never did are sampled as well,
+/// those near what was reached first. False when all were marked already.
 bool VisibilityFront::mark_rest(SharedGraph& graph) {
   const std::size_t marked_before = marked_.size();
-  for (ObstacleIndex i = 0; i < is_marked_.size(); ++i) {
-    if (is_marked_[i] == 0 && !is_ignored(i, query_.ignored)) mark(graph, i);
+  const std::size_t targets_before = targets_.size();
+  bool is_one_left = true;
+  for (; is_one_left && marked_.size() == marked_before; rest_within_m_ *= 2.0) {
+    is_one_left = false;
+    for (ObstacleIndex i = 0; i < is_marked_.size(); ++i) {
+      if (is_marked_[i] != 0 || is_ignored(i, query_.ignored)) continue;
+      is_one_left = true;
+      if (is_near_expanded(field_->obstacles()[i])) add_to_marked(i);
+    }
   }
+  // Samples come after all marks, so that fewer wait for what covers them.
+  for (std::size_t i = marked_before; i < marked_.size(); ++i) add_samples(graph, marked_[i]);
+  queue_edges_to(targets_before);
   return marked_.size() > marked_before;
+}
+
+bool VisibilityFront::is_near_expanded(const Obstacle& obstacle) const {
+  return std::any_of(expanded_.begin(), expanded_.end(),
+                     [&](Local node) { return clearance(nodes_[node].position, obstacle) < rest_within_m_; });
 }
 
 void VisibilityFront::trace(std::vector<Vec2>& path) const {

@@ -57,13 +57,17 @@ class VisibilityFront {
   void add_samples(SharedGraph& graph, ObstacleIndex obstacle);
   void expand(Local node);
   void queue_edge(Local from, Local to, double done_m);
+  void queue_edges_to(std::size_t first_target);
+  void drop_void_targets();
   bool widen();
   bool is_void(const Node& node) const { return node.covered_by != kBounds && is_marked_[node.covered_by] != 0; }
   bool next_edge(Edge& edge);
   bool is_open(SharedGraph& graph, const Edge& edge);
   bool is_free_of_marked(const Vec2& from, const Vec2& to);
   void mark(SharedGraph& graph, ObstacleIndex obstacle);
+  void add_to_marked(ObstacleIndex obstacle);
   bool mark_rest(SharedGraph& graph);
+  bool is_near_expanded(const Obstacle& obstacle) const;
 
   /// The one that the segment crosses deepest among those that are obstacles to this robot; kBounds when one of them is
   /// marked already, or none is left.
@@ -76,6 +80,7 @@ class VisibilityFront {
   Query query_;  ///< of the search that runs
   const ObstacleField* field_ = nullptr;
   std::vector<Node> nodes_;
+  std::vector<Local> targets_;  ///< nodes that edges may lead to
   std::vector<Local> expanded_;
   std::vector<Edge> queue_;  ///< a heap, least estimate first
   std::vector<ObstacleIndex> marked_;
@@ -86,7 +91,9 @@ class VisibilityFront {
   double limit_m_ = 0.0;                   ///< edges of a larger estimate wait outside of the queue
   double least_beyond_m_ = 0.0;            ///< the least estimate of these
   int edges_tested_ = 0;
-  Local last_ = 0;  ///< the goal, or the node nearest to it among those reached
+  double rest_within_m_ = 0.0;          ///< of what was reached, when nothing that blocked anything helps
+  std::size_t targets_checked_at_ = 0;  ///< so many marked obstacles
+  Local last_ = 0;                      ///< the goal, or the node nearest to it among those reached
 };
 
 }  // namespace regista::graph

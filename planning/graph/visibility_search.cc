@@ -8,9 +8,10 @@ namespace {
 
 using Progress = VisibilityFront::Progress;
 
-/// Few searches need more; until then a proof and a second front would only cost.
+/// Few searches need more; until then a proof and a second front would only cost, and later too, mostly.
 constexpr int kEdgesAlone = 128;
-constexpr int kEdgesInTurn = 64;
+constexpr int kEdgesForward = 192;
+constexpr int kEdgesBackward = 64;
 
 }  // namespace
 
@@ -29,7 +30,7 @@ VisibilitySearch::End VisibilitySearch::find(SharedGraph& graph, const Query& qu
   }
   while (progress == Progress::going_on) {
     is_backward_ = !is_backward_;
-    progress = (is_backward_ ? backward_ : forward_).advance(graph, kEdgesInTurn);
+    progress = is_backward_ ? backward_.advance(graph, kEdgesBackward) : forward_.advance(graph, kEdgesForward);
   }
   if (progress == Progress::goal && is_backward_) {
     backward_.trace(path);

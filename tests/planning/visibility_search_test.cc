@@ -90,8 +90,62 @@ TEST_CASE("the order of obstacles changes no length") {
   }
 }
 
+TEST_CASE("a search that takes long and has no way says that there is none") {
+  // Both ends in two rings each, so that there is enough to try.
+  std::vector<Obstacle> obstacles;
+  for (const Vec2& centre : {Vec2(-3, 0), Vec2(3, 0)}) {
+    for (const double radius_m : {1.0, 1.2}) {
+      for (const Obstacle& piece : testing::ring_around(centre, radius_m)) obstacles.push_back(piece);
+    }
+  }
+  PlanRequest request;
+  request.start = {-3, 0};
+  request.goal = {3, 0};
+  SharedGraph graph(ObstacleField(testing::test_bounds(), obstacles));
+  VisibilitySearch search;
+  std::vector<Vec2> path;
+  REQUIRE(search.find(graph, query_of(request), path) == VisibilitySearch::End::no_way);
+  CHECK(path.front() == request.start);
+  const Plan plan = VisibilitySampling().plan(graph, request);
+  CHECK(plan.status == PlanStatus::unreachable);
+  CHECK(plan.reason == "obstacles close every way");
+}
+
+TEST_CASE("what is found does not depend on which end is called the start") {
+  std::mt19937_64 random(18);
+  VisibilitySearch search;
+  int hard_count = 0;
+  for (int world = 0; world < 60; ++world) {
+    std::vector<Obstacle> discs;
+    for (int i = 0; i < 400; ++i) discs.push_back(disc(testing::random_point(random, testing::test_bounds()), 0.21));
+    const ObstacleField field(testing::test_bounds(), discs);
+    const PlanRequest request = testing::random_free_request(random, field);
+    if (!field.is_free(request.start) || !field.is_free(request.goal)) continue;
+    PlanRequest back = request;
+    back.ignored.clear();
+    std::swap(back.start, back.goal);
+    SharedGraph graph(field);
+    std::vector<Vec2> path;
+    Query query = query_of(back);
+    const bool found_back = search.find(graph, query, path) == VisibilitySearch::End::goal;
+    std::swap(query.start, query.goal);
+    CAPTURE(world);
+    REQUIRE((search.find(graph, query, path) == VisibilitySearch::End::goal) == found_back);
+    const std::optional<double> expected =
+        testing::shortest_length(field, marked_graph(field, back, search.marked()), {});
+    REQUIRE(expected.has_value() == found_back);
+    if (!found_back) continue;
+    REQUIRE(length_of(path) == Approx(expected.value_or(0.0)).epsilon(1e-12));
+    hard_count += search.marked().size() > 30 ? 1 : 0;
+  }
+  CHECK(hard_count > 5);
+}
+
 TEST_CASE("the reason is why the search ended, even when the time is up by the moment of the answer") {
-  const ObstacleField field(testing::test_bounds(), testing::ring_around({3, 0}, 1.0));
+  // A millimetre between any two neighbours: a way, but none over samples.
+  std::vector<Obstacle> ring = testing::ring_around({3, 0}, 1.0);
+  for (Obstacle& piece : ring) piece.radius_m = 0.1245;
+  const ObstacleField field(testing::test_bounds(), ring);
   int questions = 0;
   int last_in_time = 1000;
   const std::function<bool()> out_of_time = [&] { return ++questions > last_in_time; };
