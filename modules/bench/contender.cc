@@ -21,6 +21,7 @@ bool is_registered(std::string_view planner) {
 
 Shot plan_once(Contender& contender, const World& world, PlanRequest request, double budget_us) {
   std::vector<Obstacle> obstacles = world.obstacles;
+  contender.graph.clear();
   Shot shot;
   const SingleShot whole;
   contender.graph.reset(ObstacleField(world.bounds, std::move(obstacles)));

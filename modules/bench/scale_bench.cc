@@ -29,6 +29,7 @@ Scale::Frame Scale::plan_frame(Contender& contender, const TeamScene& scene, dou
   std::vector<Obstacle> obstacles = scene.world.obstacles;
   answers_.resize(std::max(answers_.size(), scene.requests.size()));
   frame.each_us.reserve(scene.requests.size());
+  contender.graph.clear();
   const SingleShot since;
   contender.graph.reset(ObstacleField(scene.world.bounds, std::move(obstacles)));
   frame.set_up_us = since.us();

@@ -18,6 +18,7 @@ struct Sides {
 double plan_shared(Sides& sides, const TeamScene& scene) {
   std::vector<Obstacle> obstacles = scene.world.obstacles;
   sides.shared_answers.resize(scene.requests.size());
+  sides.shared.graph.clear();
   const SingleShot whole;
   sides.shared.graph.reset(ObstacleField(scene.world.bounds, std::move(obstacles)));
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {
@@ -32,6 +33,7 @@ double plan_separately(Sides& sides, const TeamScene& scene) {
   sides.separate_answers.resize(scene.requests.size());
   const SingleShot whole;
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {
+    sides.separate.graph.clear();
     sides.separate.graph.reset(ObstacleField(scene.world.bounds, std::move(obstacles[i])));
     sides.separate.planner->plan(sides.separate.graph, scene.requests[i], sides.separate_answers[i]);
   }

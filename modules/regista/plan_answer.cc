@@ -54,6 +54,7 @@ QueryAnswer answer_query(Planner& planner, const PlanQuery& query, int repeat,
   graph::SharedGraph graph;
   for (int round = 0; round < repeat; ++round) {
     std::vector<Obstacle> obstacles = query.obstacles;
+    graph.clear();
     const std::int64_t began_ns = stopwatch();
     graph.reset(ObstacleField(query.bounds, std::move(obstacles)));
     std::int64_t robot_began_ns = stopwatch();

@@ -79,7 +79,8 @@ double samples_reach_m(double radius_m) {
 
 void append_samples(const ObstacleField& field, ObstacleIndex index, std::vector<Vec2>& out) {
   std::vector<ObstacleIndex> neighbours;
-  field.maybe_near(index, samples_reach_m(field.obstacles()[index].radius_m), neighbours);
+  field.visit_maybe_near(index, samples_reach_m(field.obstacles()[index].radius_m),
+                         [&](ObstacleIndex i) { neighbours.push_back(i); });
   append_samples(field, index, neighbours, out);
 }
 

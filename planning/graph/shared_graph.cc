@@ -32,6 +32,12 @@ void SharedGraph::reset(ObstacleField field) {
   forget();
 }
 
+void SharedGraph::clear() {
+  legs_.clear();
+  field_.assign({}, {});
+  forget();
+}
+
 bool SharedGraph::is_same_field(const Bounds& bounds, std::span<const Obstacle> obstacles) const {
   const std::span<const Obstacle> known = field_.obstacles();
   return is_same(bounds.half_extent_m, field_.bounds().half_extent_m) &&
@@ -57,7 +63,8 @@ void SharedGraph::sample(ObstacleIndex obstacle) {
   if (nodes_.size() < field_.size() * kSamplesMax) nodes_.resize(field_.size() * kSamplesMax);
   neighbours_.clear();
   samples_.clear();
-  field_.maybe_near(obstacle, samples_reach_m(field_.obstacles()[obstacle].radius_m), neighbours_);
+  field_.visit_maybe_near(obstacle, samples_reach_m(field_.obstacles()[obstacle].radius_m),
+                          [this](ObstacleIndex i) { neighbours_.push_back(i); });
   append_samples(field_, obstacle, neighbours_, samples_);
   for (std::size_t k = 0; k < samples_.size(); ++k) {
     const std::size_t begin = arena_.size();

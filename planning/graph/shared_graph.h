@@ -29,6 +29,9 @@ class SharedGraph {
   void reset(const Bounds& bounds, std::span<const Obstacle> obstacles);
   void reset(ObstacleField field);
 
+  /// Forgets the field and all that follows from it, so that the next frame is built from nothing; keeps the memory.
+  void clear();
+
   const ObstacleField& field() const { return field_; }
 
   /// The samples of an obstacle: nodes first … first + count - 1.

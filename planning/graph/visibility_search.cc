@@ -20,7 +20,7 @@ VisibilitySearch::End VisibilitySearch::find(SharedGraph& graph, const Query& qu
   forward_.begin(graph, query);
   Progress progress = forward_.advance(graph, kEdgesAlone);
   if (progress == Progress::going_on) {
-    if (separation_.separates(graph.field(), query.start, query.goal, query.ignored)) {
+    if (separation_.separates(graph.field(), graph.overlaps(), query.start, query.goal, query.ignored)) {
       forward_.trace(path);
       return End::no_way;
     }
