@@ -117,6 +117,7 @@ TEST_CASE("what is found does not depend on which end is called the start") {
   int hard_count = 0;
   for (int world = 0; world < 60; ++world) {
     std::vector<Obstacle> discs;
+    discs.reserve(400);
     for (int i = 0; i < 400; ++i) discs.push_back(disc(testing::random_point(random, testing::test_bounds()), 0.21));
     const ObstacleField field(testing::test_bounds(), discs);
     const PlanRequest request = testing::random_free_request(random, field);
