@@ -1,4 +1,5 @@
-// How much of a long random test is run: all of it, or a twentieth where the sanitizers make everything ten times slower.
+// How much of a long random test is run: all of it, or a twentieth where the sanitizers make everything ten times
+// slower.
 #pragma once
 
 namespace regista::testing {
