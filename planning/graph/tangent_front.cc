@@ -26,14 +26,8 @@ constexpr double kSamePlace = 1e-9;
 /// Costs that differ by less are equal. Metres.
 constexpr double kRounding_m = 1e-12;
 
-/// So many active obstacles are tested at once as fast as one of them.
-constexpr std::size_t kFew = 8;
-
-/// And to so many it is cheaper to depart at once than to ask whether that is a detour.
+/// To so many active obstacles it is cheaper to depart at once than to ask whether that is a detour.
 constexpr std::size_t kSome = 3;
-
-/// Of a place in a list, for ObstacleBoxes::Motion::left_out; none beyond the 64th.
-std::uint64_t bit(std::uint32_t place) { return place < 64 ? std::uint64_t{1} << place : 0; }
 
 double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 
@@ -80,16 +74,12 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   field_ = &graph.field();
   start_ = body_of(query.start);
   goal_ = body_of(query.goal);
-  slots_.clear();
-  active_.clear();
-  active_boxes_.clear();
-  is_active_.assign(graph.field().size(), 0);
+  active_.clear(graph.field().size());
   expanded_here_.clear();
   legs_.clear();
   expanded_.clear();
   queue_.clear();
   pending_.clear();
-  recent_.fill(kBounds);
   departures_ = {};
   legs_tested_ = 0;
   horizon_m_ = 0.0;
@@ -131,7 +121,7 @@ TangentFront::Queued TangentFront::dequeue() {
 /// Queues all departures from where the leg arrives; false when an earlier arrival has made them all.
 bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
   Leg& leg = legs_[index];
-  const Slot& slot = slots_[leg.state / 2];
+  const ActiveObstacles::Slot& slot = active_[leg.state / 2];
   const double side = side_of(leg.state);
   const std::span<const Cut> cuts = graph.contacts(slot.obstacle, slot.body).cuts;
   LegIndex& here = expanded_here_[leg.state];
@@ -151,12 +141,12 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
     leg.reach = distance;
     stopped_by = cut.other;
   }
-  if (stopped_by != kBounds && is_active_[stopped_by] == 0) pending_.push_back(stopped_by);
+  if (stopped_by != kBounds && !active_.contains(stopped_by)) pending_.push_back(stopped_by);
   leg.next_here = here;
   here = index;
   expanded_.push_back(index);
   set_departures(leg);
-  const auto slots = static_cast<State>(slots_.size());
+  const auto slots = static_cast<State>(active_.size());
   for (State other = 0; other < slots; ++other) consider(index, other);
   depart(index, goal_, 1.0, kGoalState);
   return true;
@@ -165,7 +155,7 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
 /// From the leg's end as far as its reach.
 void TangentFront::set_departures(const Leg& leg) {
   departures_.is_narrow = false;
-  if (leg.state == kStartState || slots_[leg.state / 2].body.count != 1) return;
+  if (leg.state == kStartState || active_[leg.state / 2].body.count != 1) return;
   constexpr double kHalfRound = 2.0;  // in order, exactly
   constexpr double kSurely = 0.01;
   if (leg.reach > kHalfRound - kSurely) return;
@@ -176,9 +166,9 @@ void TangentFront::set_departures(const Leg& leg) {
 /// Makes the leg's departures to the slot, or, where going there is a detour, puts it off until nothing better is left.
 void TangentFront::consider(LegIndex index, State slot_index) {
   constexpr double kDetour_m = 0.1;
-  if (slots_.size() > kSome) {
+  if (active_.size() > kSome) {
     const Leg& leg = legs_[index];
-    const Slot& slot = slots_[slot_index];
+    const ActiveObstacles::Slot& slot = active_[slot_index];
     const double least_m = leg.cost + (slot.middle - leg.to.point).norm() - slot.extent_m + slot.beyond_m;
     if (least_m > horizon_m_ + kDetour_m) return enqueue({least_m, index, slot_index});
   }
@@ -188,19 +178,21 @@ void TangentFront::consider(LegIndex index, State slot_index) {
 void TangentFront::depart_to_slot(LegIndex index, State slot) {
   const Leg& leg = legs_[index];
   if (leg.state != kStartState && leg.state / 2 == slot) return;
-  for (const State side : {0U, 1U}) depart(index, slots_[slot].body, side_of(side), 2 * slot + side);
+  for (const State side : {0U, 1U}) depart(index, active_[slot].body, side_of(side), 2 * slot + side);
 }
 
 void TangentFront::depart(LegIndex index, const Body& to, double to_side, State state) {
   const Leg& leg = legs_[index];
   const bool is_start = leg.state == kStartState;
-  const Body& from = is_start ? start_ : slots_[leg.state / 2].body;
+  const Body& from = is_start ? start_ : active_[leg.state / 2].body;
   const double side = is_start ? 1.0 : side_of(leg.state);
   const bool is_cut = !is_start && leg.reach < from.period;
   for_tangents(from, side, to, to_side, departures_, [&](const Tangent& tangent) {
     const Leg& arrival = legs_[index];
     if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
-    if (!is_free_of_active(arrival.state, state, {tangent.from.point, tangent.to.point, tangent.along})) return;
+    if (!active_.are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along}, arrival.state / 2,
+                              state / 2))
+      return;
     const double along_m = is_start ? 0.0 : travel_m(from, arrival.to, tangent.from, side);
     const double cost = arrival.cost + along_m + tangent.length_m;
     const double estimate_m = cost + (goal_.corners[0] - tangent.to.point).norm();
@@ -210,46 +202,20 @@ void TangentFront::depart(LegIndex index, const Body& to, double to_side, State 
   });
 }
 
-/// The obstacle that a leg with this state touches; kBounds for the ends.
-ObstacleIndex TangentFront::body_at(State state) const {
-  return state / 2 < slots_.size() ? slots_[state / 2].obstacle : kBounds;
-}
-
-/// Both ends' bodies are touched, not crossed.
-bool TangentFront::is_free_of_active(State from_state, State to_state, ObstacleBoxes::Motion motion) {
-  const State from = from_state / 2;
-  const State to = to_state / 2;
-  const auto blocks = [&](State slot) {
-    return slot != from && slot != to && !is_free(motion.from, motion.to, field_->obstacles()[slots_[slot].obstacle]);
-  };
-  // What blocked a leg blocks its neighbours as well. Among few it is not worth the question.
-  for (std::size_t k = 0; slots_.size() > kFew && k < recent_.size(); ++k) {
-    if (recent_[k] == kBounds || !blocks(recent_[k])) continue;
-    if (k > 0) std::swap(recent_[k], recent_[k - 1]);
-    return false;
-  }
-  motion.left_out = bit(from) | bit(to);
-  bool is_blocked = false;
-  active_boxes_.visit_near(motion, [&](State slot) {
-    is_blocked = blocks(slot);
-    if (is_blocked) recent_.back() = slot;
-    return is_blocked;
-  });
-  return !is_blocked;
-}
-
 /// Nothing blocks the leg; else what does is active or will be.
 bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
   const ObstacleField& field = graph.field();
   if (!is_inside(leg.to.point, field.bounds())) return false;
+  const State from = legs_[leg.parent].state / 2;
+  const State to = leg.state / 2;
   ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
   const bool is_news = leg.free_of < active_.size();
-  if (is_news && !is_free_of_active(legs_[leg.parent].state, leg.state, motion)) return false;
+  if (is_news && !active_.are_clear_of(field, motion, from, to)) return false;
   // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
-  motion.left_out = bit(body_at(legs_[leg.parent].state)) | bit(body_at(leg.state));
+  motion.left_out = left_out_bit(active_.obstacle_at(from)) | left_out_bit(active_.obstacle_at(to));
   field.visit_candidates(motion, [&](ObstacleIndex i) {
-    if (is_active_[i] != 0 || is_ignored(i, query_.ignored)) return false;
+    if (active_.contains(i) || is_ignored(i, query_.ignored)) return false;
     if (!is_free(leg.from.point, leg.to.point, field.obstacles()[i])) blockers_.push_back(i);
     return false;
   });
@@ -275,15 +241,9 @@ void TangentFront::pend_deepest(const ObstacleField& field, const Vec2& from, co
 }
 
 void TangentFront::activate(SharedGraph& graph, ObstacleIndex obstacle) {
-  is_active_[obstacle] = 1;
-  active_.push_back(obstacle);
-  active_boxes_.append(graph.field().obstacles()[obstacle], static_cast<State>(active_.size() - 1));
-  const Obstacle& shape = graph.field().obstacles()[obstacle];
-  const Vec2 middle = 0.5 * (shape.a + shape.b);
-  const double extent_m = (shape.b - middle).norm() + shape.radius_m;
-  slots_.push_back({body_of(shape), obstacle, middle, extent_m, (middle - query_.goal).norm() - extent_m});
-  expanded_here_.resize(2 * slots_.size(), kNone);
-  const auto slot = static_cast<State>(slots_.size() - 1);
+  active_.add(graph.field(), obstacle, query_.goal);
+  expanded_here_.resize(2 * active_.size(), kNone);
+  const auto slot = static_cast<State>(active_.size() - 1);
   for (const LegIndex leg : expanded_) {
     set_departures(legs_[leg]);
     consider(leg, slot);
@@ -292,7 +252,7 @@ void TangentFront::activate(SharedGraph& graph, ObstacleIndex obstacle) {
 
 void TangentFront::activate_pending(SharedGraph& graph) {
   for (const ObstacleIndex obstacle : pending_) {
-    if (is_active_[obstacle] == 0) activate(graph, obstacle);
+    if (!active_.contains(obstacle)) activate(graph, obstacle);
   }
   pending_.clear();
 }
@@ -312,7 +272,7 @@ void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
       path.push_back(leg.to.point);
       return;
     }
-    const Slot& slot = slots_[leg.state / 2];
+    const ActiveObstacles::Slot& slot = active_[leg.state / 2];
     append_arc(graph, slot.obstacle, slot.body, {leg.to, legs_[chain_[i - 1]].from, side_of(leg.state)}, path);
   }
 }

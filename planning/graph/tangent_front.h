@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "planning/graph/active_obstacles.h"
 #include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/graph/tangents.h"
@@ -36,19 +37,12 @@ class TangentFront {
   double length_m() const { return length_m_; }
 
   /// Obstacles the last search went round, or tried to, in the order in which they became active.
-  std::span<const ObstacleIndex> active() const { return active_; }
+  std::span<const ObstacleIndex> active() const { return active_.list(); }
 
  private:
   using LegIndex = std::uint32_t;
   using State = std::uint32_t;  ///< a slot and a side, or one of the ends
 
-  struct Slot {
-    Body body;
-    ObstacleIndex obstacle = 0;
-    Vec2 middle = Vec2::Zero();
-    double extent_m = 0.0;  ///< no point of it is farther from the middle
-    double beyond_m = 0.0;  ///< nor nearer to the goal
-  };
   struct Leg {
     Place from, to;
     Vec2 along = Vec2::Zero();  ///< unit
@@ -74,8 +68,6 @@ class TangentFront {
   void depart_to_slot(LegIndex leg, State slot);
   void depart(LegIndex leg, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
-  bool is_free_of_active(State from, State to, ObstacleBoxes::Motion motion);
-  ObstacleIndex body_at(State state) const;
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
   void activate(SharedGraph& graph, ObstacleIndex obstacle);
@@ -88,16 +80,12 @@ class TangentFront {
   Query query_;  ///< of the search that runs
   const ObstacleField* field_ = nullptr;
   Body start_, goal_;
-  std::vector<Slot> slots_;
-  std::vector<ObstacleIndex> active_;
-  ObstacleBoxes active_boxes_;           ///< the same by slot, for fast tests
-  std::vector<std::uint8_t> is_active_;  ///< by obstacle
+  ActiveObstacles active_;
   std::vector<LegIndex> expanded_here_;  ///< by state: the first of a list
   std::vector<Leg> legs_;                ///< the first is the start
   std::vector<LegIndex> expanded_;
   std::vector<Queued> queue_;  ///< a heap, least estimate first
   std::vector<ObstacleIndex> pending_;
-  std::array<State, 4> recent_{};  ///< slots of active obstacles that blocked something lately
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
   Separation separation_;

@@ -1,0 +1,57 @@
+// The obstacles a search goes round, in the order in which they came into it: their boundaries, and a fast test of legs
+// against all of them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "planning/graph/body.h"
+#include "planning/graph/contacts.h"
+#include "planning/obstacle_field.h"
+
+namespace regista::graph {
+
+/// For ObstacleBoxes::Motion::left_out: the bit of a place in a list; none beyond the 64th.
+inline std::uint64_t left_out_bit(std::uint32_t place) { return place < 64 ? std::uint64_t{1} << place : 0; }
+
+/// Slots are numbered from 0. Only scratch memory is kept between two searches.
+class ActiveObstacles {
+ public:
+  struct Slot {
+    Body body;
+    ObstacleIndex obstacle = 0;
+    Vec2 middle = Vec2::Zero();
+    double extent_m = 0.0;  ///< no point of it is farther from the middle
+    double beyond_m = 0.0;  ///< nor nearer to the goal
+  };
+
+  /// For a field of so many obstacles.
+  void clear(std::size_t obstacles);
+
+  /// One more, which must not be there yet.
+  void add(const ObstacleField& field, ObstacleIndex obstacle, const Vec2& goal);
+
+  std::size_t size() const { return slots_.size(); }
+  const Slot& operator[](std::uint32_t slot) const { return slots_[slot]; }
+  bool contains(ObstacleIndex obstacle) const { return is_active_[obstacle] != 0; }
+
+  /// kBounds for what is no slot.
+  ObstacleIndex obstacle_at(std::uint32_t slot) const { return slot < slots_.size() ? list_[slot] : kBounds; }
+
+  /// By slot.
+  std::span<const ObstacleIndex> list() const { return list_; }
+
+  /// None of them blocks the motion, which touches those of slots `from` and `to` (which may be no slots) and does not
+  /// cross them.
+  bool are_clear_of(const ObstacleField& field, ObstacleBoxes::Motion motion, std::uint32_t from, std::uint32_t to);
+
+ private:
+  std::vector<Slot> slots_;
+  std::vector<ObstacleIndex> list_;
+  ObstacleBoxes boxes_;                    ///< by slot
+  std::vector<std::uint8_t> is_active_;    ///< by obstacle
+  std::array<std::uint32_t, 4> recent_{};  ///< slots that blocked something lately, or kBounds
+};
+
+}  // namespace regista::graph
