@@ -61,7 +61,8 @@ class SharedGraph {
     if (legs_.size() < kLegsInPicture) legs_.push_back({from, to, is_blocked});
   }
 
-  /// What has been evaluated so far; captured, team and sequence are left to the caller.
+  /// What has been evaluated since the field last changed, and the legs of this frame, each as far as they fit;
+  /// captured, team and sequence are left to the caller.
   GraphPicture picture() const;
 
  private:
@@ -75,6 +76,7 @@ class SharedGraph {
   };
   /// A picture is to fit into one datagram.
   static constexpr std::size_t kLegsInPicture = 1000;
+  static constexpr std::size_t kEdgesInPicture = 2000;
 
   static constexpr std::uint8_t kUnknown = 0xFF;
 

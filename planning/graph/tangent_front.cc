@@ -13,7 +13,7 @@ constexpr std::uint32_t kStartState = kNone - 1;
 constexpr std::uint32_t kGoalState = kNone - 2;
 constexpr std::uint32_t kStart = 0;  // the first leg
 
-constexpr int kLegsPerTimeCheck = 64;
+constexpr int kStepsPerTimeCheck = 64;
 
 /// A search that takes so long may be hopeless: then it is proved that there is no way, instead of trying them all. It
 /// goes on a little for a path that leads near the goal.
@@ -27,7 +27,7 @@ constexpr double kSamePlace = 1e-9;
 constexpr double kRounding_m = 1e-12;
 
 /// To so many active obstacles it is cheaper to depart at once than to ask whether that is a detour.
-constexpr std::size_t kSome = 3;
+constexpr std::size_t kPutOffBeyond = 3;
 
 double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 
@@ -36,6 +36,7 @@ double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
   for (const int end = legs_tested_ + legs; legs_tested_ < end;) {
     if (queue_.empty()) return Progress::no_way;
+    if (++steps_ % kStepsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
     const Queued next = dequeue();
     if (next.estimate > query_.length_max_m) return Progress::too_long;
     if (next.slot != kItself) {
@@ -44,7 +45,6 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
       continue;
     }
     ++legs_tested_;
-    if (legs_tested_ % kLegsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
     if (legs_tested_ == kLegsBeforeProof) {
       is_separated_ = separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
     }
@@ -82,6 +82,7 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   pending_.clear();
   departures_ = {};
   legs_tested_ = 0;
+  steps_ = 0;
   horizon_m_ = 0.0;
   is_separated_ = false;
   last_ = kStart;
@@ -118,7 +119,7 @@ TangentFront::Queued TangentFront::dequeue() {
   return first;
 }
 
-/// Queues all departures from where the leg arrives; false when an earlier arrival has made them all.
+/// Makes or puts off all departures from where the leg arrives; false when an earlier arrival stands for them.
 bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
   Leg& leg = legs_[index];
   const ActiveObstacles::Slot& slot = active_[leg.state / 2];
@@ -165,8 +166,8 @@ void TangentFront::set_departures(const Leg& leg) {
 
 /// Makes the leg's departures to the slot, or, where going there is a detour, puts it off until nothing better is left.
 void TangentFront::consider(LegIndex index, State slot_index) {
-  constexpr double kDetour_m = 0.1;
-  if (active_.size() > kSome) {
+  constexpr double kDetour_m = 0.1;  // measured: of no effect on the time from 0.02 to 0.4
+  if (active_.size() > kPutOffBeyond) {
     const Leg& leg = legs_[index];
     const ActiveObstacles::Slot& slot = active_[slot_index];
     const double least_m = leg.cost + (slot.middle - leg.to.point).norm() - slot.extent_m + slot.beyond_m;

@@ -26,7 +26,8 @@ class TangentFront {
   /// Begins at the query's start.
   void begin(SharedGraph& graph, const Query& query);
 
-  /// Tests so many more legs, unless it ends before. no_way is a proof. The time is asked for once in 64 legs.
+  /// Tests so many more legs, unless it ends before. no_way is a proof. The time is asked for once in 64
+  /// steps, which are legs and departures that were put off.
   Progress advance(SharedGraph& graph, int legs);
 
   /// After goal: from the start to it, arcs as circumscribed polylines at most kArcExcess longer. Else to the arrival
@@ -56,7 +57,7 @@ class TangentFront {
     std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
   };
   struct Queued {
-    double estimate;  ///< cost + straight line to the goal
+    double estimate;  ///< no way that goes on from here is shorter; metres
     LegIndex leg;
     State slot;  ///< kItself, or the one to which the leg's departures have not been made yet
   };
@@ -91,6 +92,7 @@ class TangentFront {
   Separation separation_;
   Departures departures_;  ///< of the leg that is being expanded
   int legs_tested_ = 0;
+  std::int64_t steps_ = 0;  ///< taken from the queue: legs, and departures that were put off
   double horizon_m_ = 0.0;  ///< estimate of what was last taken from the queue
   bool is_separated_ = false;
   LegIndex last_ = 0;  ///< of the way to the goal, or to the arrival nearest to it

@@ -15,7 +15,7 @@ class TangentSearch {
 
   /// Why the search ended. goal: `path` leads from the start to it, arcs as circumscribed polylines at most kArcExcess
   /// longer. Else `path` leads to the arrival nearest to the goal, and may be the start alone. no_way is a proof.
-  /// The time is asked for once in 64 legs.
+  /// The time is asked for once in 64 steps of a front.
   End find(SharedGraph& graph, const Query& query, std::vector<Vec2>& path);
 
   /// Exact length of the last search's way to the goal, arcs as arcs. Metres.

@@ -13,6 +13,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 constexpr int kEdgesPerTimeCheck = 64;
 
+/// No edge has been queued yet; shorter than any estimate.
+constexpr double kNothingDone_m = -1.0;
+
 /// Edges whose way is longer wait outside of the queue: at first by that share and length more than the straight line,
 /// later by that share more than what is needed.
 constexpr double kDetour = 1.15;
@@ -58,7 +61,8 @@ VisibilityFront::Progress VisibilityFront::advance(SharedGraph& graph, int edges
   Edge edge{};
   for (const int end = edges_tested_ + edges; edges_tested_ < end;) {
     if (!next_edge(edge)) {
-      if (!mark_rest(graph)) return Progress::no_samples;
+      if (!widen() && !mark_rest(graph)) return Progress::no_samples;
+      if (query_.budget.is_spent()) return Progress::no_time;
       continue;
     }
     ++edges_tested_;
@@ -131,7 +135,7 @@ void VisibilityFront::expand(Local node) {
   }
   drop_void_targets();
   for (const Local to : targets_) {
-    if (to != node) queue_edge(node, to, 0.0);
+    if (to != node) queue_edge(node, to, kNothingDone_m);
   }
 }
 
@@ -142,17 +146,15 @@ void VisibilityFront::drop_void_targets() {
   std::erase_if(targets_, [this](Local node) { return is_void(nodes_[node]); });
 }
 
-/// Takes the most promising edge that can still improve its end; false when there is none.
+/// Takes the most promising edge that can still improve its end; false when there is none in the queue.
 bool VisibilityFront::next_edge(Edge& edge) {
-  do {
-    while (!queue_.empty()) {
-      edge = queue_.front();
-      std::pop_heap(queue_.begin(), queue_.end(), later);
-      queue_.pop_back();
-      const Node& to = nodes_[edge.to];
-      if (edge.cost < to.cost && !is_void(to)) return true;
-    }
-  } while (widen());
+  while (!queue_.empty()) {
+    edge = queue_.front();
+    std::pop_heap(queue_.begin(), queue_.end(), later);
+    queue_.pop_back();
+    const Node& to = nodes_[edge.to];
+    if (edge.cost < to.cost && !is_void(to)) return true;
+  }
   return false;
 }
 
@@ -241,7 +243,7 @@ void VisibilityFront::add_to_marked(ObstacleIndex obstacle) {
 /// From everything expanded to the new targets.
 void VisibilityFront::queue_edges_to(std::size_t first_target) {
   for (const Local from : expanded_) {
-    for (std::size_t i = first_target; i < targets_.size(); ++i) queue_edge(from, targets_[i], 0.0);
+    for (std::size_t i = first_target; i < targets_.size(); ++i) queue_edge(from, targets_[i], kNothingDone_m);
   }
 }
 

@@ -23,7 +23,7 @@ class VisibilityFront {
   void begin(SharedGraph& graph, const Query& query);
 
   /// Looks at so many more edges, unless it ends before. no_samples: there is no way over the samples of the field. The
-  /// time is asked for once in 64 edges.
+  /// time is asked for once in 64 edges, and before more of them are made.
   Progress advance(SharedGraph& graph, int edges);
 
   /// After goal: from the start to it. Else to the node nearest to the goal among those reached, which may be the start

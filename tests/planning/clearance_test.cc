@@ -1,6 +1,7 @@
 // The exact clearance against dense sampling and against the symmetries of the plane.
 #include "planning/clearance.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "planning/obstacle_field.h"
@@ -21,6 +22,30 @@ Obstacle moved(const Obstacle& obstacle, const Vec2& by) {
 }
 
 }  // namespace
+
+TEST_CASE("a segment is free where its clearance says so") {
+  std::mt19937_64 random(6);
+  const auto coarse = [&random] { return 0.25 * (static_cast<double>(random() % 9) - 4.0); };
+  for (int i = 0; i < 100000; ++i) {
+    // On a coarse grid, so that shapes degenerate, touch and lie in line.
+    const bool is_coarse = i % 2 == 0;
+    const auto point = [&] { return is_coarse ? Vec2(coarse(), coarse()) : random_point(random, Bounds{{3, 2}}); };
+    const Vec2 a = point();
+    const Vec2 b = point();
+    constexpr std::array kRadii{0.0, kTouch_m, 0.25, 0.5, 1.0};
+    const double radius_m = is_coarse ? kRadii[random() % kRadii.size()] : uniform(random);
+    const Obstacle obstacle = i % 3 == 0   ? disc(a, radius_m)
+                              : i % 3 == 1 ? capsule(a, b, radius_m)
+                                           : rounded_rectangle(a, b, radius_m);
+    const Vec2 from = point();
+    const Vec2 to = i % 7 == 0 ? from : point();
+    const double clearance_m = clearance(from, to, obstacle);
+    constexpr double kRounding_m = 1e-12;
+    if (std::abs(clearance_m + kTouch_m) < kRounding_m) continue;
+    CAPTURE(i);
+    REQUIRE(is_free(from, to, obstacle) == (clearance_m >= -kTouch_m));
+  }
+}
 
 TEST_CASE("clearance of simple shapes") {
   CHECK(clearance(Vec2(3, 4), disc({0, 0}, 1)) == Approx(4));

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "planning/uniform.h"
 #include "tests/support/planning_oracles.h"
 #include "tests/support/planning_worlds.h"
 
@@ -17,8 +18,8 @@ TEST_CASE("blockers are exactly the obstacles whose clearance says so") {
     const PlanRequest request = testing::random_request(random, field);
     std::vector<ObstacleIndex> expected, expected_covering, found, covering;
     for (ObstacleIndex k = 0; k < field.size(); ++k) {
-      if (!is_free(request.start, request.goal, field.obstacles()[k])) expected.push_back(k);
-      if (!is_free(request.start, field.obstacles()[k])) expected_covering.push_back(k);
+      if (clearance(request.start, request.goal, field.obstacles()[k]) < -kTouch_m) expected.push_back(k);
+      if (clearance(request.start, field.obstacles()[k]) < -kTouch_m) expected_covering.push_back(k);
     }
     field.blockers(request.start, request.goal, found);
     field.covering(request.start, covering);
@@ -33,6 +34,37 @@ TEST_CASE("blockers are exactly the obstacles whose clearance says so") {
     REQUIRE(field.is_free(request.goal, request.ignored) ==
             testing::point_is_free(field, request.goal, request.ignored));
   }
+}
+
+TEST_CASE("a path is free exactly when all of its legs are") {
+  std::mt19937_64 random(8);
+  int free_count = 0;
+  int blocked_count = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(i % 20 == 0 ? 90 : i % 12));
+    const std::vector<std::size_t> ignored =
+        field.size() > 0 && i % 3 == 0 ? std::vector<std::size_t>{0} : std::vector<std::size_t>{};
+    // Arcs, zigzags, ways back and standing still, in legs of a centimetre to a metre.
+    std::vector<Vec2> path{testing::random_point(random, field.bounds())};
+    Vec2 along(1.0, 0.0);
+    const double bend_rad = uniform(random, -0.5, 0.5);
+    const double wild = uniform(random);
+    for (std::size_t legs = random() % 30; legs > 0; --legs) {
+      along = rotated(along, wild < 0.3 ? uniform(random, -3.0, 3.0) : bend_rad);
+      const double length_m = uniform(random) < 0.1 ? 0.0 : wild < 0.6 ? uniform(random, 0.01, 0.15) : uniform(random);
+      path.push_back(path.back() + length_m * along);
+    }
+    if (path.size() == 1) continue;
+    bool expected = true;
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      expected = expected && testing::segment_is_free(field, path[k - 1], path[k], ignored);
+    }
+    (expected ? free_count : blocked_count) += 1;
+    CAPTURE(i);
+    REQUIRE(field.is_free(path, ignored) == expected);
+  }
+  CHECK(free_count > 2000);
+  CHECK(blocked_count > 2000);
 }
 
 TEST_CASE("the bounds belong to the field") {

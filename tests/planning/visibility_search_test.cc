@@ -32,13 +32,19 @@ TEST_CASE("the path is the shortest over the samples of the marked obstacles") {
   VisibilitySearch search;
   SharedGraph graph;
   int found_count = 0;
+  std::vector<ObstacleIndex> straight_blockers;
   for (int world = 0; world < 1000; ++world) {
     const ObstacleField field = testing::random_field(random, static_cast<std::size_t>(world % 40));
     const PlanRequest request = testing::random_free_request(random, field);
     if (!field.is_free(request.start, request.ignored) || !field.is_free(request.goal, request.ignored)) continue;
     graph.reset(field);
     std::vector<Vec2> path;
-    const bool found = search.find(graph, query_of(request), path) == VisibilitySearch::End::goal;
+    Query query = query_of(request);
+    straight_blockers.clear();
+    if (world % 2 == 0) field.blockers(request.start, request.goal, straight_blockers);
+    std::erase_if(straight_blockers, [&](ObstacleIndex i) { return is_ignored(i, request.ignored); });
+    query.straight_blockers = straight_blockers;
+    const bool found = search.find(graph, query, path) == VisibilitySearch::End::goal;
     const std::vector<Vec2> nodes = marked_graph(field, request, search.marked());
     const std::optional<double> expected = testing::shortest_length(field, nodes, request.ignored);
     CAPTURE(world);
@@ -50,6 +56,14 @@ TEST_CASE("the path is the shortest over the samples of the marked obstacles") {
     REQUIRE(length_of(path) == Approx(*expected).epsilon(1e-12));
   }
   CHECK(found_count > 500);
+}
+
+TEST_CASE("who is there already has found the way") {
+  SharedGraph graph(ObstacleField({{5, 5}}, {disc({0, 0}, 0.3)}));
+  VisibilitySearch search;
+  std::vector<Vec2> path;
+  CHECK(search.find(graph, {{-3, 0}, {-3, 0}, {}, 1, {}, {}}, path) == VisibilitySearch::End::goal);
+  CHECK(search.marked().empty());
 }
 
 TEST_CASE("only obstacles in the way are marked") {
