@@ -1,4 +1,4 @@
-// How much of a long random test is run: all of it, or a twentieth where the sanitizers make everything ten times
+// How much of a long random test is run: all of it, or a tenth where the sanitizers make everything ten times
 // slower.
 #pragma once
 
