@@ -5,9 +5,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "control/bang_bang.h"
 #include "control/heading_controller.h"
 #include "control/motion_limits.h"
 #include "control/path_follower.h"
+#include "control/path_legs.h"
+#include "planning/planner.h"
 
 namespace regista {
 namespace {
@@ -66,22 +69,19 @@ Pose after_lag(const RobotState& robot, double lag_s) {
           robot.pose.heading_rad + lag_s * robot.twist.angular_radps};
 }
 
-/// What the plan asks the robot to do next.
-Twist wanted_twist(const RobotPlan& plan, const RobotState& robot, const Twist& present, const ControlParams& params,
-                   double dt_s) {
-  RobotLimits limits = params.limits;
-  limits.speed_max_mps = std::clamp(plan.target.speed_max_mps, 0.0, limits.speed_max_mps);
-  const Pose pose = after_lag(robot, params.drive_lag_s);
-  return {
-      follow_path(plan.plan.path, pose.position_m, present.velocity_mps, limits, params.follower, dt_s),
-      wanted_rate(pose.heading_rad, present.angular_radps, plan.target.pose.heading_rad, limits, params.heading, dt_s)};
+double length_of_path(std::span<const Vec2> path, const Vec2& from_m) {
+  const std::size_t first = nearest_leg(path, from_m);
+  return first + 1 < path.size() ? (path[first + 1] - from_m).norm() + length_of(path.subspan(first + 1)) : 0.0;
 }
 
 }  // namespace
 
-Controller::Controller(Team team, const ControlParams& params) : team_(team), params_(params), wheels_(params.wheels) {}
+Controller::Controller(Team team, const ControlParams& params) : team_(team), params_(params), wheels_(params.wheels) {
+  safety_mode(params.safety.mode);
+}
 
 void Controller::set_params(const ControlParams& params) {
+  safety_mode(params.safety.mode);
   wheels_ = OmniWheels(params.wheels);
   params_ = params;
 }
@@ -90,7 +90,7 @@ void Controller::set_params(const ControlParams& params) {
 /// its noise back. So it is the present motion wherever the estimate does not contradict it. A robot that was hit, is
 /// held or was put elsewhere contradicts it: there the last command is drawn towards the estimate as far as is
 /// plausible, which at the border of "plausible" is no jump. A robot seen first moves as estimated.
-Controller::Motion Controller::present_motion(const RobotState& robot) const {
+Controller::Told Controller::present_motion(const RobotState& robot) const {
   const auto last = last_.find(robot.id.number);
   const double speed_max = params_.limits.speed_max_mps;
   const double rate_max = params_.limits.angular_speed_max_radps;
@@ -106,7 +106,7 @@ Controller::Motion Controller::present_motion(const RobotState& robot) const {
   // Drawing must not make a command faster than the robot may be; one that is because its limit was lowered slows down.
   const double speed_cap = std::max(speed_max, told.velocity_mps.norm());
   const double rate_cap = std::max(rate_max, std::abs(told.angular_radps));
-  Motion motion{told, robot.pose.heading_rad};
+  Told motion{told, robot.pose.heading_rad};
   if (error.norm() > params_.plausible_speed_error_mps) {
     motion.twist.velocity_mps =
         clamped_norm(robot.twist.velocity_mps + clamped_norm(error, params_.plausible_speed_error_mps), speed_cap);
@@ -119,7 +119,7 @@ Controller::Motion Controller::present_motion(const RobotState& robot) const {
 }
 
 /// Limits the wanted motion against the present one, which becomes what is commanded, and converts.
-RobotCommand Controller::command(std::uint16_t robot, Motion& motion, const Twist& wanted, double dt_s) const {
+RobotCommand Controller::command(std::uint16_t robot, Told& motion, const Twist& wanted, double dt_s) const {
   Twist& twist = motion.twist;
   twist.velocity_mps = limited_velocity(twist.velocity_mps, wanted.velocity_mps, params_.limits, dt_s);
   twist.angular_radps = limited_rate(twist.angular_radps, wanted.angular_radps, params_.limits, dt_s);
@@ -149,25 +149,72 @@ TeamCommands Controller::begin(const WorldState* world) {
   return out;
 }
 
-TeamCommands Controller::update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s) {
+/// What the plan asks the robot to do next; a robot without one that can be driven shall stand.
+Controller::Intent Controller::intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const {
+  Intent intent;
+  intent.told = present_motion(robot);
+  const Pose pose = after_lag(robot, params_.drive_lag_s);
+  intent.robot = {pose.position_m, intent.told.twist.velocity_mps, Vec2::Zero(), params_.limits.speed_max_mps};
+  const bool seen = to_seconds(robot.age) <= params_.unseen_deadline_s;
+  if (!seen || plan == nullptr || !can_be_driven(*plan)) return intent;
+  RobotLimits limits = params_.limits;
+  limits.speed_max_mps = std::clamp(plan->target.speed_max_mps, 0.0, limits.speed_max_mps);
+  const Vec2& velocity = intent.told.twist.velocity_mps;
+  intent.robot.speed_max_mps = limits.speed_max_mps;
+  intent.robot.may_enter_own_area = plan->target.may_enter_own_area;
+  intent.robot.wanted_mps = follow_path(plan->plan.path, pose.position_m, velocity, limits, params_.follower, dt_s);
+  intent.rate_radps = wanted_rate(pose.heading_rad, intent.told.twist.angular_radps, plan->target.pose.heading_rad,
+                                  limits, params_.heading, dt_s);
+  if (limits.speed_max_mps > 0.0) {
+    intent.arrival_s =
+        bang_bang_duration(length_of_path(plan->plan.path, pose.position_m), velocity.norm(),
+                           {limits.acceleration_max_mps2, limits.braking_max_mps2, limits.speed_max_mps});
+  }
+  return intent;
+}
+
+std::vector<Opponent> Controller::opponents_in(const WorldState& world, double dt_s) {
+  const Team other = opponent_of(team_);
+  accelerations_.update(world, other, dt_s, params_.acceleration_filter_s,
+                        std::max(params_.limits.acceleration_max_mps2, params_.limits.braking_max_mps2));
+  std::vector<Opponent> opponents;
+  for (const RobotState& robot : world.robots) {
+    if (robot.id.team != other) continue;
+    // Ours are where their lag will have carried them; theirs are looked at as of the same moment.
+    opponents.push_back({after_lag(robot, params_.drive_lag_s).position_m, robot.twist.velocity_mps,
+                         accelerations_.of(robot.id)});
+  }
+  return opponents;
+}
+
+TeamCommands Controller::update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s,
+                                const Surroundings& around) {
   const double period_s = period(dt_s, params_.period_max_s);
   const auto plan_of = plans_of(team_, plans);
   for (const RobotState& robot : world.robots) check(robot);
 
-  TeamCommands out = begin(&world);
-  std::map<std::uint16_t, Motion> next;
+  std::vector<std::uint16_t> numbers;
+  std::vector<Intent> intents;
+  std::vector<SafetyRobot> robots;
+  std::vector<double> arrivals_s;
   for (const RobotState& robot : world.robots) {
     if (robot.id.team != team_) continue;
-    Motion motion = present_motion(robot);
     const auto plan = plan_of.find(robot.id.number);
-    const bool seen = to_seconds(robot.age) <= params_.unseen_deadline_s;
-    const Twist wanted = seen && plan != plan_of.end() && can_be_driven(*plan->second)
-                             ? wanted_twist(*plan->second, robot, motion.twist, params_, period_s)
-                             : Twist{};
-    out.commands.push_back(command(robot.id.number, motion, wanted, period_s));
-    next.emplace_hint(next.end(), robot.id.number, motion);
+    intents.push_back(intent_of(robot, plan != plan_of.end() ? plan->second : nullptr, period_s));
+    numbers.push_back(robot.id.number);
+    robots.push_back(intents.back().robot);
+    arrivals_s.push_back(intents.back().arrival_s);
   }
-  last_ = std::move(next);
+  const std::vector<Vec2>& chosen_mps =
+      avoidance_.choose(robots, arrivals_s, opponents_in(world, period_s), around, params_, period_s);
+
+  TeamCommands out = begin(&world);
+  last_.clear();
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    Told& told = intents[i].told;
+    out.commands.push_back(command(numbers[i], told, {chosen_mps[i], intents[i].rate_radps}, period_s));
+    last_.emplace_hint(last_.end(), numbers[i], told);
+  }
   return out;
 }
 

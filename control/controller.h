@@ -1,11 +1,14 @@
-// One team's controller: world state and plans in, velocity commands out. Per robot: follow the path, turn to the
-// target's heading, limit the change against the last command, convert to the body and its wheels.
+// One team's controller: world state and plans in, velocity commands out. Each robot follows its path and turns to its
+// target's heading; the team's velocities are made safe together; then each is limited against the last command and
+// converted to the body and its wheels.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <span>
 
+#include "control/acceleration_estimate.h"
+#include "control/avoidance.h"
 #include "control/control_params.h"
 #include "control/velocity_command.h"
 #include "planning/plan.h"
@@ -15,14 +18,14 @@ namespace regista {
 
 class Controller {
  public:
-  /// Throws std::invalid_argument when the wheels of the params make no robot.
+  /// Throws std::invalid_argument when the wheels of the params make no robot or there is no such safety mode.
   Controller(Team team, const ControlParams& params);
 
   /// From the next command on; what was commanded stays remembered, so nothing jumps.
   void set_params(const ControlParams& params);
 
   /// Commands for every robot of the team in the world state. `plans`: at most one per robot, stale ones left out by
-  /// the caller; plans of other robots are ignored. A robot without plan, or with one that is invalid or has no path,
+  /// the caller; plans of other robots are ignored. `around`: what does not move. A robot without plan, or with one that is invalid or has no path,
   /// brakes at its limit, and so does one that vision has lost for unseen_deadline_s. dt_s > 0 is the time since the
   /// last call.
   ///
@@ -30,7 +33,8 @@ class Controller {
   /// robot whose estimated motion is implausibly far from its last command is picked up where it is, and a wheel limit
   /// below the body's limits cuts at once. Throws std::invalid_argument, with nothing remembered, on numbers that are
   /// not finite, two plans for a robot, or dt_s <= 0.
-  TeamCommands update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s);
+  TeamCommands update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s,
+                      const Surroundings& around = {});
 
   /// The commands while no fresh world state comes: every robot that was commanded last brakes straight ahead, its
   /// heading carried on from the last command. last_world gives stamp and sequence, nullptr where there never was one.
@@ -38,20 +42,32 @@ class Controller {
 
  private:
   /// What a robot was told last, field frame.
-  struct Motion {
+  struct Told {
     Twist twist;
     double heading_rad = 0.0;  ///< where it looked when the command began to act
   };
 
-  Motion present_motion(const RobotState& robot) const;
-  RobotCommand command(std::uint16_t robot, Motion& motion, const Twist& wanted, double dt_s) const;
+  /// What one robot wants, and what is known of it.
+  struct Intent {
+    Told told;
+    SafetyRobot robot;
+    double rate_radps = 0.0;
+    double arrival_s = 0.0;
+  };
+
+  Told present_motion(const RobotState& robot) const;
+  Intent intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const;
+  std::vector<Opponent> opponents_in(const WorldState& world, double dt_s);
+  RobotCommand command(std::uint16_t robot, Told& told, const Twist& wanted, double dt_s) const;
   TeamCommands begin(const WorldState* world);
 
   Team team_;
   ControlParams params_;
   OmniWheels wheels_;
   std::uint64_t sequence_ = 0;
-  std::map<std::uint16_t, Motion> last_;  ///< by robot number
+  AccelerationEstimate accelerations_;
+  Avoidance avoidance_;
+  std::map<std::uint16_t, Told> last_;  ///< by robot number
 };
 
 }  // namespace regista

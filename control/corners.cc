@@ -20,10 +20,6 @@ double bend_speed(double turn_rad, double bend_length_m, double acceleration, do
   return std::sqrt(acceleration * radius_m);
 }
 
-double turn_distance(double speed_mps, double turn_rad, double acceleration) {
-  return speed_mps * speed_mps * std::sin(std::abs(turn_rad) / 2.0) / acceleration;
-}
-
 double corner_speed(std::span<const Leg> legs, const RobotLimits& limits, const FollowerParams& params) {
   double speed = limits.speed_max_mps;
   double turn = 0.0;

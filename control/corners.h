@@ -1,4 +1,4 @@
-// How fast a path's corners can be driven, and where the turns begin, from what acceleration and tolerance allow.
+// How fast a path's corners can be driven, from what acceleration and tolerance allow.
 #pragma once
 
 #include <span>
@@ -8,10 +8,8 @@
 
 namespace regista {
 
-/// Of the possible change of velocity, how much may go into motion across the path, and what that leaves along it:
-/// √(1 − 0.9²).
+/// Of the possible change of velocity, how much may go into motion across the path.
 inline constexpr double kAcrossShare = 0.9;
-inline constexpr double kAlongShare = 0.436;
 
 /// The largest speed, m/s, at which a bend of turn_rad in [0, π], spread over bend_length_m of the path, is driven at
 /// most tolerance_m beside its vertices: √(acceleration·ρ). Infinite for no bend.
@@ -20,9 +18,6 @@ inline constexpr double kAlongShare = 0.436;
 /// parabola passes a corner at |Δv|²/(8a) = v²·sin²(φ/2)/(2a), so ρ = 2·tolerance/sin²(φ/2). A bend spread over a
 /// length ℓ can instead be followed with its own radius ℓ/φ; the larger radius counts.
 double bend_speed(double turn_rad, double bend_length_m, double acceleration, double tolerance_m);
-
-/// How far before its corner the parabola above begins, metres: v·(|Δv|/a)/2 = v²·sin(|φ|/2)/a.
-double turn_distance(double speed_mps, double turn_rad, double acceleration);
 
 /// The speed for the corner at the end of the first of these legs, together with the bends soon after it: an arc drawn
 /// as a polyline turns but a little at each vertex. Between the least corner speed and the limit, which is above all.

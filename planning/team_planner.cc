@@ -5,6 +5,7 @@
 #include <string>
 
 #include "planning/obstacle_growth.h"
+#include "planning/predicted_obstacles.h"
 #include "planning/uniform.h"
 
 namespace regista {
@@ -59,7 +60,7 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
     const RobotState* robot = find_robot(world, {team_, target.robot});
     if (robot == nullptr) continue;
     const std::int64_t began = read(stopwatch);
-    Plan plan = plan_robot(obstacles, *robot, target, stopwatch, robot_budget_ns);
+    Plan plan = plan_robot(obstacles, world, *robot, target, stopwatch, robot_budget_ns);
     if (stopwatch != nullptr) out.durations_ns.push_back(read(stopwatch) - began);
     out.plans.push_back({robot->id, world.captured, world.sequence, targets.sequence, 0, std::string(entry_->name),
                          generation_, target, std::move(plan)});
@@ -82,8 +83,8 @@ std::int64_t TeamPlanner::budget_ns(std::size_t robots) const {
   return static_cast<std::int64_t>(params_.frame_period_s * kNanosecondsPerSecond / static_cast<double>(robots));
 }
 
-Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const RobotState& robot, const Target& target,
-                             const Stopwatch* stopwatch, std::int64_t budget_ns) {
+Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
+                             const Target& target, const Stopwatch* stopwatch, std::int64_t budget_ns) {
   PlanRequest request;
   request.start = robot.pose.position_m;
   request.goal = target.pose.position_m;
@@ -100,25 +101,36 @@ Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const RobotState& r
   if (const auto previous = previous_paths_.find(robot.id.number); previous != previous_paths_.end()) {
     request.previous_path = previous->second;
   }
-  return plan_in_field(obstacles, request);
+  return plan_among(obstacles, world, robot, request);
 }
 
-Plan TeamPlanner::plan_in_field(const TeamObstacles& obstacles, const PlanRequest& request) {
-  graph::SharedGraph* graph = &graph_;
+Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
+                             const PlanRequest& request) {
+  const std::size_t robots = obstacles.robots.size();
+  if (params_.prediction_horizon_s <= 0.0 || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
+  predict(graph_.field().obstacles(), world, robot, request.goal, params_.prediction_horizon_s, predicted_);
+  own_graph_.reset(graph_.field().bounds(), predicted_);
+  Plan plan = plan_in_field(own_graph_, robots, request);
+  // What is expected may leave no way where today's places do.
+  return plan.status == PlanStatus::ok ? plan : plan_in_field(graph_, robots, request);
+}
+
+Plan TeamPlanner::plan_in_field(graph::SharedGraph& graph, std::size_t robots, const PlanRequest& request) {
+  graph::SharedGraph* used = &graph;
   Plan plan;
   if (params_.growth_radius_max_m > 0.0) {
-    grow(graph_.field().obstacles(), obstacles.robots.size(), request.start, request.goal, params_, grown_);
-    grown_graph_.reset(graph_.field().bounds(), grown_);
-    graph = &grown_graph_;
-    plan = plan_or_invalid(*planner_, *graph, request);
+    grow(graph.field().obstacles(), robots, request.start, request.goal, params_, grown_);
+    grown_graph_.reset(graph.field().bounds(), grown_);
+    used = &grown_graph_;
+    plan = plan_or_invalid(*planner_, *used, request);
   }
   // Growth may close the only gap; a narrow way is better than none.
   if (plan.status != PlanStatus::ok) {
-    graph = &graph_;
-    plan = plan_or_invalid(*planner_, *graph, request);
+    used = &graph;
+    plan = plan_or_invalid(*planner_, *used, request);
   }
   if (params_.side_change_gain > 0.0) {
-    side_keeper_.keep(*planner_, graph->field(), request, params_.side_change_gain, plan);
+    side_keeper_.keep(*planner_, used->field(), request, params_.side_change_gain, plan);
   }
   return plan;
 }

@@ -21,6 +21,7 @@ ControllerModule::ControllerModule(Bus& bus, Team team, const ControllerModulePa
       controller_(team, params.control),
       stopwatch_(std::move(stopwatch)),
       world_(bus, channels::world_state()),
+      geometry_(bus, channels::geometry()),
       plan_listener_(bus, channels::plans(team), [this](RobotPlan plan) { keep(std::move(plan)); }) {
   expose<ControllerModuleParams>(params_, [this](const ControllerModuleParams& changed) {
     controller_.set_params(changed.control);
@@ -95,7 +96,11 @@ void ControllerModule::command(Time now) {
   if (dt_s <= 0.0) dt_s = params_.control.period_s;  // the source of vision has begun anew
   last_captured_ = world.captured;
   braked_at_.reset();
-  publish(controller_.update(world, fresh_plans(now), dt_s));
+  Surroundings around;
+  if (geometry_.newest() != nullptr) {
+    around.half_extent_m = half_extent(geometry_.newest()->field, params_.control.limits.radius_m);
+  }
+  publish(controller_.update(world, fresh_plans(now), dt_s, around));
   bus().publish(channels::timing(name()), Timing{world.captured, name(), stopwatch_() - begin_ns, {}});
 }
 

@@ -1,4 +1,4 @@
-// WORLD_STATE and PLAN in, COMMANDS out. Ticks when the set of plans for the newest world state is complete, or at its
+// WORLD_STATE, GEOMETRY and PLAN in, COMMANDS out. Ticks when the set of plans for the newest world state is complete, or at its
 // deadline with the plans it has; brakes when plans or world go quiet.
 #pragma once
 
@@ -54,6 +54,7 @@ class ControllerModule : public Module {
   Controller controller_;
   Stopwatch stopwatch_;
   Mailbox<WorldState> world_;
+  Mailbox<FieldAnnouncement> geometry_;
   Listener<RobotPlan> plan_listener_;
   std::map<std::uint16_t, KeptPlan> plans_;
   std::optional<Time> last_captured_;  ///< of the world the last command was made from

@@ -1,0 +1,60 @@
+#include "control/avoidance.h"
+
+#include <stdexcept>
+
+#include "control/safety/published_search.h"
+
+namespace regista {
+
+SafetyMode safety_mode(const std::string& name) {
+  if (name == "none") return SafetyMode::none;
+  if (name == "published") return SafetyMode::published;
+  if (name == "team") return SafetyMode::team;
+  throw std::invalid_argument("safety.mode must be none, published or team, not '" + name + "'");
+}
+
+const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
+                                           std::span<const Opponent> opponents, const Surroundings& around,
+                                           const ControlParams& params, double period_s) {
+  const SafetyMode mode = safety_mode(params.safety.mode);
+  chosen_mps_.clear();
+  if (mode == SafetyMode::team) {
+    keep_out_of_the_way(team, arrivals_s, opponents, params);
+    search_.choose(team, opponents, around, params.limits, params.safety, period_s, chosen_mps_);
+    return chosen_mps_;
+  }
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    chosen_mps_.push_back(mode == SafetyMode::none ? team[i].wanted_mps
+                                                   : published_choice(team, i, opponents, params.limits,
+                                                                      params.safety, period_s));
+  }
+  return chosen_mps_;
+}
+
+void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
+                                    std::span<const Opponent> opponents, const ControlParams& params) {
+  if (params.velocity_choice.horizon_s <= 0.0) return;
+  const double bodies_m = 2.0 * params.limits.radius_m;
+  const double reach_m = 2.0 * params.limits.speed_max_mps * params.velocity_choice.horizon_s + bodies_m;
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    if (team[i].wanted_mps.isZero(0.0)) continue;  // who stands, stands
+    const auto is_near = [&](const Vec2& other_m) {
+      return (other_m - team[i].position_m).squaredNorm() < reach_m * reach_m;
+    };
+    neighbours_.clear();
+    for (std::size_t j = 0; j < team.size(); ++j) {
+      if (j == i || !is_near(team[j].position_m)) continue;
+      neighbours_.push_back({team[j].position_m, team[j].velocity_mps, Vec2::Zero(),
+                             bodies_m + params.safety.team_margin_m});
+    }
+    for (const Opponent& opponent : opponents) {
+      if (!is_near(opponent.position_m)) continue;
+      neighbours_.push_back({opponent.position_m, opponent.velocity_mps, opponent.acceleration_mps2,
+                             bodies_m + params.safety.opponent_margin_m});
+    }
+    team[i].wanted_mps = choose_velocity(team[i], arrivals_s[i], neighbours_, params.velocity_choice,
+                                         params.safety.acceleration_lasts_s);
+  }
+}
+
+}  // namespace regista

@@ -1,0 +1,28 @@
+// Time-optimal motion of a double integrator to rest: along one axis in closed form, in the plane by two axes that
+// share the acceleration so that both arrive together.
+#pragma once
+
+#include "world_model/types/geometry.h"
+#include "world_model/types/robot_limits.h"
+
+namespace regista {
+
+struct AxisLimits {
+  double acceleration = 0.0;  ///< > 0, as all
+  double braking = 0.0;
+  double speed_max = 0.0;
+};
+
+/// Seconds the fastest motion takes from `velocity` to rest `distance` away (both signed).
+double bang_bang_duration(double distance, double velocity, const AxisLimits& limits);
+
+/// The velocity of that motion after dt_s >= 0.
+double bang_bang_velocity(double distance, double velocity, const AxisLimits& limits, double dt_s);
+
+/// The same in the plane: `way_m` to the goal, at rest there. Axes in four rotations are tried and the fastest taken;
+/// each axis gets the part cos α, sin α of the limits, with α such that both take equally long. Against the true
+/// optimum for a disc of accelerations that is 1.6 % slower on average (README, "bench motion"). The result is the velocity
+/// after dt_s; braking across the motion is taken to be as strong as along, so motion_limits.h may cut it.
+Vec2 bang_bang_velocity(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& limits, double dt_s);
+
+}  // namespace regista

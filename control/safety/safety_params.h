@@ -1,0 +1,40 @@
+// What can be set of the ways to avoid contact: the safety search and the velocity choice before it.
+#pragma once
+
+#include <string>
+
+#include "world_model/params.h"
+
+namespace regista {
+
+struct SafetyParams {
+  std::string mode = "team";  ///< "none", "published" (as the visibility-sampling paper tells it) or "team"
+  /// Between bodies of the team. Noise of vision and delays eat it: at 20 mm no contact was seen with nominal noise, and
+  /// throughput does not depend on it up to 40 mm (../README.md, "bench margins").
+  double team_margin_m = 0.02;
+  double opponent_margin_m = 0.03;  ///< likewise; their motion is known less well
+  /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
+  /// braking = 17.5 ms at 100 Hz, rounded up.
+  double opponent_reaction_s = 0.018;
+  double acceleration_lasts_s = 0.3;  ///< an opponent's estimated acceleration is taken to last so long
+  double horizon_s = 1.0;             ///< opponents are predicted so far; farther, they have changed their minds
+  /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
+  /// bought nothing.
+  std::int64_t directions = 16;
+  double coast_s = 0.0;  ///< before braking, in what a robot promises to its team-mates
+  bool operator==(const SafetyParams&) const = default;
+
+  template <class Self, class V>
+  static void visit(Self& self, V&& v) {
+    v("mode", self.mode, Range{}, "", "none, published or team");
+    v("team_margin_m", self.team_margin_m, Range{0.0, 1.0}, "m", "kept between team-mates");
+    v("opponent_margin_m", self.opponent_margin_m, Range{0.0, 1.0}, "m", "kept to opponents");
+    v("opponent_reaction_s", self.opponent_reaction_s, Range{0.0, 1.0}, "s", "further margin per opponent's speed");
+    v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");
+    v("horizon_s", self.horizon_s, Range{0.01, 10.0}, "s", "opponents are predicted so far");
+    v("directions", self.directions, Range{1.0, 360.0}, "", "of sampled accelerations, three magnitudes each");
+    v("coast_s", self.coast_s, Range{0.0, 2.0}, "s", "before braking, in what is promised to team-mates");
+  }
+};
+
+}  // namespace regista

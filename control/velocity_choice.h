@@ -1,0 +1,43 @@
+// From the velocity that the path asks for to one that does not run into moving neighbours soon: sampled velocities
+// judged by what they give up and by the time to the first contact. Not a safety layer (safety/ is), but what keeps
+// robots from having to use it.
+#pragma once
+
+#include <span>
+
+#include "control/safety/safety_params.h"
+#include "control/safety/safety_search.h"
+
+namespace regista {
+
+struct VelocityChoiceParams {
+  double horizon_s = 1.2;  ///< contacts later than this do not count; 0: wanted velocities are taken as they are
+  double weight_m = 0.6;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
+  bool operator==(const VelocityChoiceParams&) const = default;
+
+  template <class Self, class V>
+  static void visit(Self& self, V&& v) {
+    v("horizon_s", self.horizon_s, Range{0.0, 10.0}, "s", "contacts later than this do not count; 0: off");
+    v("weight_m", self.weight_m, Range{0.0, 100.0}, "m", "metres per second given up for 1/s of 1/(time to contact)");
+  }
+};
+
+/// One that may get in the way. Its velocity changes at a constant rate for a while, then no more.
+struct Neighbour {
+  Vec2 position_m = Vec2::Zero();
+  Vec2 velocity_mps = Vec2::Zero();
+  Vec2 acceleration_mps2 = Vec2::Zero();
+  double gap_m = 0.0;  ///< between centres
+};
+
+/// Seconds until two discs with gap_m between centres touch when `from` holds `velocity_mps`; infinite for never. While
+/// the acceleration lasts its mean velocity stands for the neighbour's. 0 when they overlap and approach.
+double time_to_contact(const Vec2& from_m, const Vec2& velocity_mps, const Neighbour& neighbour,
+                       double acceleration_lasts_s);
+
+/// The best of 66 velocities for a robot among neighbours: least |v − wanted| + weight·(1/ttc − 1/horizon). `arrival_s`:
+/// when it will stand anyway, contacts later than that do not count.
+Vec2 choose_velocity(const SafetyRobot& robot, double arrival_s, std::span<const Neighbour> neighbours,
+                     const VelocityChoiceParams& params, double acceleration_lasts_s);
+
+}  // namespace regista

@@ -1,0 +1,37 @@
+#include "planning/predicted_obstacles.h"
+
+#include "planning/clearance.h"
+
+namespace regista {
+namespace {
+
+/// Smaller by what the point is covered; a core that holds it cannot be helped.
+double uncovering_radius(const Obstacle& obstacle, const Vec2& point) {
+  return std::max(0.0, obstacle.radius_m + std::min(0.0, clearance(point, obstacle)));
+}
+
+}  // namespace
+
+double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s) {
+  const Vec2 apart = b.pose.position_m - a.pose.position_m;
+  const Vec2 velocity = b.twist.velocity_mps - a.twist.velocity_mps;
+  const double speed2 = velocity.squaredNorm();
+  return speed2 > 0.0 ? std::clamp(-apart.dot(velocity) / speed2, 0.0, horizon_s) : 0.0;
+}
+
+void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
+             double horizon_s, std::vector<Obstacle>& out) {
+  out.assign(obstacles.begin(), obstacles.end());
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    const RobotState& other = world.robots[i];
+    if (other.id == self.id) continue;
+    const bool goal_was_covered = clearance(goal, out[i]) < 0.0;
+    const Vec2 ahead = nearest_approach_s(self, other, horizon_s) * other.twist.velocity_mps;
+    out[i].a += ahead;
+    out[i].b += ahead;
+    out[i].radius_m = uncovering_radius(out[i], self.pose.position_m);
+    if (!goal_was_covered) out[i].radius_m = uncovering_radius(out[i], goal);
+  }
+}
+
+}  // namespace regista

@@ -1,0 +1,22 @@
+// Other robots where they will be when they matter: at the moment of nearest approach to the robot that plans. A robot
+// that crosses in front is gone by then, and two that come towards each other both see where they will meet.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "planning/obstacle.h"
+#include "world_model/types/world_state.h"
+
+namespace regista {
+
+/// Seconds until two points that keep their velocities are nearest, in [0, horizon_s]; 0 for no relative motion.
+double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s);
+
+/// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i and is
+/// moved along its velocity to the nearest approach, at most horizon_s ahead; then it shrinks as far as it would cover
+/// the start, or the goal without having covered it unmoved. Values are finite, horizon_s >= 0.
+void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
+             double horizon_s, std::vector<Obstacle>& out);
+
+}  // namespace regista
