@@ -1,4 +1,5 @@
 #include "modules/bench/motion/crowd_bench.h"
+#include "modules/bench/motion/swap_bench.h"
 #include "modules/regista/bench_flags.h"
 
 namespace regista {
@@ -29,6 +30,12 @@ void add_names(CLI::App& command, const char* name, std::vector<std::string>& va
   command.add_option(name, values, help)->delimiter(',')->capture_default_str()->check(CLI::IsMember(std::move(known)));
 }
 
+void add_preset(CLI::App& command, std::string& preset) {
+  command.add_option("--preset", preset, "of the simulator")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "noisy", "realistic"}));
+}
+
 void add_crowd(CLI::App& parent, Action& action) {
   const auto [command, flags] =
       add_one_bench(parent, action, "crowd", "a team to random targets among another: contacts, faults, pace, cost",
@@ -48,8 +55,25 @@ void add_crowd(CLI::App& parent, Action& action) {
   add_count(*command, "--jobs", options.jobs, "games at once");
 }
 
+void add_swap(CLI::App& parent, Action& action) {
+  const auto [command, flags] = add_one_bench(
+      parent, action, "swap", "robots in each other's way: swaps on a circle, a corridor, a target occupied, a chaser",
+      bench::run_swap);
+  bench::SwapOptions& options = flags->options;
+  add_count(*command, "--runs", options.runs, "per scene");
+  add_preset(*command, options.preset);
+  command->add_option("--scenes", options.scenes, "words of their names, comma between; without it all")
+      ->delimiter(',');
+  add_system(*command, options.system);
+  add_seed_set(*command, options.seeds);
+  add_count(*command, "--jobs", options.jobs, "scenes at once");
+}
+
 }  // namespace
 
-void add_motion_benches(CLI::App& parent, Action& action) { add_crowd(parent, action); }
+void add_motion_benches(CLI::App& parent, Action& action) {
+  add_crowd(parent, action);
+  add_swap(parent, action);
+}
 
 }  // namespace regista
