@@ -58,6 +58,7 @@ Simulator::Simulator(const SimSetup& setup)
       walls_(walls_of(setup.field)),
       start_(setup.start),
       now_(setup.start),
+      robots_collide_(setup.robots_collide),
       robots_(bodies_of(setup.robots)),
       kicker_ready_(robots_.size(), setup.start),
       link_(ids_of(robots_), params_.radio, mixed(setup.seed, kLinkStream)),
@@ -88,9 +89,11 @@ void Simulator::advance_to(Time now) {
 void Simulator::step_once() {
   link_.update(now_);
   move_robots();
-  const auto& near = near_.find(robots_, contacts_.end_distance_m());
-  contacts_.observe(robots_, near, now_ + kSimStep);
-  keep_apart(robots_, near, params_.limits);
+  if (robots_collide_) {
+    const auto& near = near_.find(robots_, contacts_.end_distance_m());
+    contacts_.observe(robots_, near, now_ + kSimStep);
+    keep_apart(robots_, near, params_.limits);
+  }
   for (RobotBody& robot : robots_) {
     keep_off(walls_, params_.limits.radius_m, 0.0, robot.pose.position_m, robot.twist.velocity_mps);
   }

@@ -28,6 +28,7 @@ struct SimSetup {
   Vec2 ball_m = Vec2::Zero();
   std::uint64_t seed = 1;
   Time start{};
+  bool robots_collide = true;  ///< false: they pass through each other and no contact is counted, for comparisons
   bool operator==(const SimSetup&) const = default;
 };
 
@@ -79,6 +80,7 @@ class Simulator {
   Walls walls_;
   Time start_;
   Time now_;
+  bool robots_collide_;
   std::vector<RobotBody> robots_;   // sorted by id
   std::vector<Time> kicker_ready_;  // per robot
   BallBody ball_;

@@ -1,8 +1,6 @@
 #include "modules/regista/bench.h"
 
-#include <CLI/CLI.hpp>
 #include <iostream>
-#include <memory>
 
 #include "modules/bench/anytime_bench.h"
 #include "modules/bench/ompl_grid_bench.h"
@@ -10,46 +8,12 @@
 #include "modules/bench/scale_bench.h"
 #include "modules/bench/static_bench.h"
 #include "modules/bench/team_bench.h"
-#include "planning/registry.h"
+#include "modules/regista/bench_flags.h"
 
 namespace regista {
 namespace {
 
 using bench::Run;
-
-/// A bench's own options beside what all are told.
-template <class Options>
-struct Flags {
-  Run run;
-  Options options;
-};
-
-/// The subcommand with --out and --seed; calls measure(options, run).
-template <class Options>
-std::pair<CLI::App*, std::shared_ptr<Flags<Options>>> add(CLI::App& parent, Action& action, const char* name,
-                                                          const char* help,
-                                                          int (*measure)(const Options&, const Run&)) {
-  CLI::App* command = parent.add_subcommand(name, help);
-  const auto flags = std::make_shared<Flags<Options>>();
-  flags->run.command = bench::own_command_line();
-  command->add_option("--out", flags->run.out, "folder for tables (CSV) and plots (SVG, PNG)")->capture_default_str();
-  command->add_option("--seed", flags->run.seed, "of the random worlds and planners")->capture_default_str();
-  command->callback([flags, measure, &action] {
-    action = [flags, measure] {
-      try {
-        return measure(flags->options, flags->run);
-      } catch (const UnknownPlanner& error) {
-        throw UsageError(error.what());
-      }
-    };
-  });
-  return {command, flags};
-}
-
-template <class T>
-void add_count(CLI::App& command, const char* name, T& value, const char* help) {
-  command.add_option(name, value, help)->capture_default_str()->check(CLI::Range(1.0, 1e9));
-}
 
 void add_batch(CLI::App& command, std::size_t& batch) {
   add_count(command, "--batch", batch, "queries in a row for each planner, before the next one's turn; 1: cold caches");
@@ -66,7 +30,8 @@ void add_planners(CLI::App& command, std::vector<std::string>& planners, const c
 }
 
 void add_static(CLI::App& parent, Action& action) {
-  const auto [command, flags] = add(parent, action, "static", "every planner on 11 against 11", bench::run_static);
+  const auto [command, flags] =
+      add_one_bench(parent, action, "static", "every planner on 11 against 11", bench::run_static);
   bench::StaticOptions& options = flags->options;
   add_count(*command, "--queries", options.queries, "how many");
   add_planners(*command, options.planners, "names, comma between; without it all of: regista planner list");
@@ -79,14 +44,14 @@ void add_static(CLI::App& parent, Action& action) {
 
 void add_team(CLI::App& parent, Action& action) {
   const auto [command, flags] =
-      add(parent, action, "team", "a team on one shared graph against one query per robot", bench::run_team);
+      add_one_bench(parent, action, "team", "a team on one shared graph against one query per robot", bench::run_team);
   add_count(*command, "--frames", flags->options.frames, "how many");
   add_planners(*command, flags->options.planners, "names, comma between; without it those that use the shared graph");
 }
 
 void add_anytime(CLI::App& parent, Action& action) {
-  const auto [command, flags] =
-      add(parent, action, "anytime", "success and length of OMPL's planners against allowed time", bench::run_anytime);
+  const auto [command, flags] = add_one_bench(
+      parent, action, "anytime", "success and length of OMPL's planners against allowed time", bench::run_anytime);
   bench::AnytimeOptions& options = flags->options;
   add_count(*command, "--queries", options.queries, "per planner and time");
   add_planners(*command, options.planners, "names, comma between; without it those of OMPL; tangent is always there");
@@ -97,8 +62,8 @@ void add_anytime(CLI::App& parent, Action& action) {
 }
 
 void add_ompl_grid(CLI::App& parent, Action& action) {
-  const auto [command, flags] = add(parent, action, "ompl-grid",
-                                    "the fastest good setting of OMPL's planners, and tangent", bench::run_ompl_grid);
+  const auto [command, flags] = add_one_bench(
+      parent, action, "ompl-grid", "the fastest good setting of OMPL's planners, and tangent", bench::run_ompl_grid);
   bench::GridOptions& options = flags->options;
   add_count(*command, "--queries", options.queries, "how many, at most");
   command->add_option("--grid", options.grid, "file of settings; without it the one shipped")->check(CLI::ExistingFile);
@@ -108,7 +73,7 @@ void add_ompl_grid(CLI::App& parent, Action& action) {
 
 void add_scale(CLI::App& parent, Action& action) {
   const auto [command, flags] =
-      add(parent, action, "scale", "cost against obstacles, fleets and crowds", bench::run_scale);
+      add_one_bench(parent, action, "scale", "cost against obstacles, fleets and crowds", bench::run_scale);
   bench::ScaleOptions& options = flags->options;
   add_count(*command, "--queries", options.queries, "per planner and number of obstacles, at most");
   add_count(*command, "--frames", options.frames, "per planner and size of the fleet, at most");
@@ -144,8 +109,8 @@ int run_paper(const PaperChoice& choice, const Run& run) {
 }
 
 void add_paper(CLI::App& parent, Action& action) {
-  const auto [command, flags] =
-      add(parent, action, "paper", "a published table or figure, measured again beside the printed row", run_paper);
+  const auto [command, flags] = add_one_bench(
+      parent, action, "paper", "a published table or figure, measured again beside the printed row", run_paper);
   PaperChoice& choice = flags->options;
   command->add_option("table", choice.table, "name of the table");
   command->add_flag("--list", choice.list, "the tables there are");
@@ -160,7 +125,7 @@ void add_paper(CLI::App& parent, Action& action) {
 }  // namespace
 
 void add_bench(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("bench", "measure the planners: tables, CSV, plots");
+  CLI::App* command = app.add_subcommand("bench", "measure the planners and how teams drive: tables, CSV, plots");
   command->require_subcommand(1);
   add_static(*command, action);
   add_team(*command, action);
@@ -168,6 +133,7 @@ void add_bench(CLI::App& app, Action& action) {
   add_ompl_grid(*command, action);
   add_scale(*command, action);
   add_paper(*command, action);
+  add_motion_benches(*command, action);
 }
 
 }  // namespace regista

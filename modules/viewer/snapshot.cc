@@ -29,10 +29,9 @@ bool SnapshotTrigger::due(bool heard, bool complete, Time now) {
   return complete_at_ <= now && now - complete_at_ >= kGraphGrace;
 }
 
-void await_picture(ViewerModule& module, ProcessLoop& loop, const Bus& bus, SnapshotAt at, const std::string& url,
-                   const std::function<bool()>& stopped) {
+void await_picture(ViewerModule& module, ProcessLoop& loop, const Bus& bus, SnapshotTrigger& trigger,
+                   const std::string& url, const std::function<bool()>& stopped) {
   const Time begin = bus.now();
-  SnapshotTrigger trigger(at);
   do {
     check_stopped(stopped);
     if (!module.heard() && bus.now() - begin > kSilence) {
@@ -49,9 +48,8 @@ bool play_next(ViewerModule& module, Bus& bus) {
   return true;
 }
 
-void play_until_picture(ViewerModule& module, Bus& bus, SnapshotAt at, const std::string& url,
+void play_until_picture(ViewerModule& module, Bus& bus, SnapshotTrigger& trigger, const std::string& url,
                         const std::function<bool()>& stopped) {
-  SnapshotTrigger trigger(at);
   std::optional<Time> seen;
   while (play_next(module, bus)) {
     check_stopped(stopped);
@@ -60,7 +58,7 @@ void play_until_picture(ViewerModule& module, Bus& bus, SnapshotAt at, const std
     seen = now;
     if (trigger.due(true, module.complete(), *now)) return;
   }
-  if (!seen) throw SnapshotError("nothing to see in the log " + url + ": it holds no world state");
+  if (!module.world_time()) throw SnapshotError("nothing to see in the log " + url + ": it holds no world state");
 }
 
 bool is_log(const std::string& url) { return url.starts_with("file:"); }

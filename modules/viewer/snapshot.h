@@ -24,6 +24,8 @@ class SnapshotTrigger {
 
   /// True from the moment the picture is to be taken. now must not go back.
   bool due(bool heard, bool complete, Time now);
+  /// Another picture: seconds after the same first message.
+  void set(SnapshotAt at) { at_ = at; }
 
  private:
   SnapshotAt at_;
@@ -32,15 +34,15 @@ class SnapshotTrigger {
 };
 
 /// Lets a live bus fill the module until the picture is due. Throws SnapshotError when nothing comes, or when stopped.
-void await_picture(ViewerModule& module, ProcessLoop& loop, const Bus& bus, SnapshotAt at, const std::string& url,
-                   const std::function<bool()>& stopped);
+void await_picture(ViewerModule& module, ProcessLoop& loop, const Bus& bus, SnapshotTrigger& trigger,
+                   const std::string& url, const std::function<bool()>& stopped);
 
 /// Hands the module one message of a log that is read at full speed; false at the log's end.
 bool play_next(ViewerModule& module, Bus& bus);
 
 /// Plays a log into the module, as fast as it reads, until the picture is due or the log ends. Throws SnapshotError
 /// when the log holds nothing that can be seen, or when stopped.
-void play_until_picture(ViewerModule& module, Bus& bus, SnapshotAt at, const std::string& url,
+void play_until_picture(ViewerModule& module, Bus& bus, SnapshotTrigger& trigger, const std::string& url,
                         const std::function<bool()>& stopped);
 
 bool is_log(const std::string& url);

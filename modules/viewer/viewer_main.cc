@@ -14,7 +14,7 @@ using namespace regista;
 
 struct Flags {
   std::string snapshot;
-  SnapshotAt at;
+  std::vector<double> at_s;
   std::string record;
   std::string size = "1280x800";
   int width_px = 0;
@@ -35,10 +35,12 @@ void add_flags(CLI::App& app, Flags& flags) {
   auto* snapshot = app.add_option("--snapshot", flags.snapshot,
                                   "write one picture to this .png file and end; needs no "
                                   "display. With --lcm-url file:///run.lcmlog of a log");
-  app.add_option("--at", flags.at,
+  app.add_option("--at", flags.at_s,
                  "seconds after the first message at which the picture is taken; default: when the "
-                 "plans of all teams with targets have come in, at most 2 s")
+                 "plans of all teams with targets have come in, at most 2 s. Several, rising, comma between: as many "
+                 "pictures in one")
       ->needs(snapshot)
+      ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
   app.add_option("--record", flags.record,
                  "write robots and scene to this .rawlog file; without a display until SIGINT, or to the end of a log")
@@ -94,12 +96,19 @@ struct Viewing {
   }
 
   void take_picture(ViewerModule& module, ProcessLoop& loop, const std::function<bool()>& stopped) {
-    if (is_log(url)) {
-      play_until_picture(module, *bus, flags.at, url, stopped);
-    } else {
-      await_picture(module, loop, *bus, flags.at, url, stopped);
+    SnapshotTrigger trigger(std::nullopt);
+    std::vector<ViewerScene> scenes;
+    const std::size_t pictures = std::max<std::size_t>(1, flags.at_s.size());
+    while (scenes.size() < pictures) {
+      if (!flags.at_s.empty()) trigger.set(flags.at_s[scenes.size()]);
+      if (is_log(url)) {
+        play_until_picture(module, *bus, trigger, url, stopped);
+      } else {
+        await_picture(module, loop, *bus, trigger, url, stopped);
+      }
+      scenes.push_back(module.scene());
     }
-    write_picture(module.scene(), flags.snapshot, flags.width_px, flags.height_px);
+    write_strip(scenes, flags.snapshot, flags.width_px, flags.height_px);
   }
 
   void record(ViewerModule& module, ProcessLoop& loop, const std::function<bool()>& stopped) {

@@ -9,28 +9,10 @@
 #include "modules/bench/static_bench.h"
 #include "modules/bench/team_bench.h"
 #include "planning/uniform.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/bench/bench_run.h"
 
 namespace regista::bench {
 namespace {
-
-struct BenchRun {
-  TemporaryFolder folder;
-  Run run;
-  BenchRun() { run.out = folder.path("out"); }
-
-  /// Rows of a table, its head left out.
-  std::size_t rows(const std::string& name) const {
-    std::ifstream file(run.out / (name + ".csv"));
-    std::size_t lines = 0;
-    for (std::string line; std::getline(file, line);) lines += line.starts_with("#") ? 0U : 1U;
-    return lines == 0 ? 0 : lines - 1;
-  }
-  bool has_plot(const std::string& name) const {
-    return std::filesystem::file_size(run.out / (name + ".svg")) > 0 &&
-           std::filesystem::file_size(run.out / (name + ".png")) > 0;
-  }
-};
 
 TEST_CASE("bench static") {
   const BenchRun bench;

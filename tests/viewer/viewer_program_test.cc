@@ -131,6 +131,20 @@ TEST_CASE("--snapshot of a log shows the moment asked for") {
   CHECK(!ball_is_at(middle, 2.5));
   CHECK(ball_is_at(picture_at({"--at", "1000"}), 5.0));
   CHECK(ball_is_at(picture_at({}), 0.15));
+
+  const Picture strip = picture_at({"--at", "1,4,1000,1001", "--size", "640x400"});
+  CHECK(strip.width() == 3 * 640);
+  CHECK(strip.height() == 2 * 400);
+  const View view = fitted_view(scene.field, 640, 400);
+  const auto ball_in = [&](const Vec2& corner_px, double x) {
+    const Vec2 ball = pixel_of(view, {x, scene.world.ball->position_m.y()});
+    return strip.count_near(palette::kBall, corner_px + ball, 2, 60) > 2;
+  };
+  CHECK(ball_in({0, 0}, 0.5));
+  CHECK(ball_in({640, 0}, 2.0));
+  CHECK(ball_in({1280, 0}, 5.0));
+  CHECK(ball_in({0, 400}, 5.0));  // the log has ended: what there was last
+  CHECK(!ball_in({640, 400}, 5.0));
 }
 
 TEST_CASE("the window under Xvfb shows what is on the air and closes on SIGTERM") {

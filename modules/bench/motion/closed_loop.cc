@@ -1,0 +1,48 @@
+#include "modules/bench/motion/closed_loop.h"
+
+#include <utility>
+
+namespace regista::bench {
+namespace {
+
+constexpr std::array kTeams{Team::yellow, Team::blue};
+
+}  // namespace
+
+ClosedLoop::ClosedLoop(LoopSetup setup)
+    : setup_(std::move(setup)), simulator_(setup_.sim), model_(setup_.model), truth_(simulator_.truth()) {
+  for (const Team team : kTeams) targets_.at(static_cast<std::size_t>(team)).team = team;
+}
+
+void ClosedLoop::tick() {
+  simulator_.advance_to(simulator_.next_frame_due());
+  for (const VisionFrame& frame : simulator_.take_frames()) model_.add_frame(frame);
+  world_ = model_.state();
+  truth_ = simulator_.truth();
+  dt_s_ = last_captured_ ? to_seconds(world_.captured - *last_captured_) : 1.0 / setup_.sim.params.vision.rate_hz;
+  last_captured_ = world_.captured;
+  for (const Team team : kTeams) drive(team);
+}
+
+void ClosedLoop::drive(Team team) {
+  LoopTeam& side = setup_.of(team);
+  if (side.driver == nullptr) return;
+  Targets& targets = targets_.at(static_cast<std::size_t>(team));
+  if (side.targets) targets = side.targets(world_);
+  TeamCommands& commands = commands_.at(static_cast<std::size_t>(team));
+  commands = side.driver->drive(setup_.sim.field, world_, targets, dt_s_);
+  simulator_.command(commands, simulator_.now());
+  for (const RobotCommand& command : commands.commands) {
+    model_.add_command({team, command.robot}, {commands.captured, command.velocity});
+  }
+}
+
+void ClosedLoop::run_for(double seconds, const std::function<void()>& observe) {
+  const Time end = simulator_.now() + from_seconds(seconds);
+  while (simulator_.next_frame_due() < end) {
+    tick();
+    if (observe) observe();
+  }
+}
+
+}  // namespace regista::bench

@@ -1,0 +1,79 @@
+#include "modules/bench/motion/crowd_bench.h"
+#include "modules/bench/motion/swap_bench.h"
+#include "modules/regista/bench_flags.h"
+
+namespace regista {
+namespace {
+
+/// How the team under test is driven.
+void add_system(CLI::App& command, bench::SystemChoice& system) {
+  command.add_option("--planner", system.planner, "our planner, see: regista planner list");
+  command.add_option("--safety", system.safety, "our safety search, as controller.safety.mode");
+  command
+      .add_option("--set", system.settings,
+                  "planner.key=value, controller.key=value, world_model.key=value or sim.key=value; may be repeated")
+      ->allow_extra_args(false);
+}
+
+void add_seed_set(CLI::App& command, bench::SeedSet& seeds) {
+  command
+      .add_option("--seeds", seeds,
+                  "tuning or reporting: parameters are chosen on the first, numbers told of the second")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, bench::SeedSet>{{"tuning", bench::SeedSet::tuning},
+                                                                        {"reporting", bench::SeedSet::reporting}})
+              .description("{tuning,reporting}"));
+}
+
+void add_names(CLI::App& command, const char* name, std::vector<std::string>& values, const char* help,
+               std::vector<std::string> known) {
+  command.add_option(name, values, help)->delimiter(',')->capture_default_str()->check(CLI::IsMember(std::move(known)));
+}
+
+void add_preset(CLI::App& command, std::string& preset) {
+  command.add_option("--preset", preset, "of the simulator")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"none", "noisy", "realistic"}));
+}
+
+void add_crowd(CLI::App& parent, Action& action) {
+  const auto [command, flags] =
+      add_one_bench(parent, action, "crowd", "a team to random targets among another: contacts, faults, pace, cost",
+                    bench::run_crowd);
+  bench::CrowdOptions& options = flags->options;
+  command->add_option("--minutes", options.minutes, "simulated, per field, preset and opponents")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e5));
+  add_names(*command, "--preset", options.presets, "of the simulator, comma between", {"none", "noisy", "realistic"});
+  add_names(*command, "--field", options.fields, "divisions, comma between", {"A", "B"});
+  add_names(*command, "--opponents", options.opponents,
+            "system: as we are; random: straight, avoiding nobody; chaser: towards us; comma between",
+            {"system", "random", "chaser"});
+  command->add_flag("!--no-pass-through", options.pass_through, "leave out the pace without others");
+  add_system(*command, options.system);
+  add_seed_set(*command, options.seeds);
+  add_count(*command, "--jobs", options.jobs, "games at once");
+}
+
+void add_swap(CLI::App& parent, Action& action) {
+  const auto [command, flags] = add_one_bench(
+      parent, action, "swap", "robots in each other's way: swaps on a circle, a corridor, a target occupied, a chaser",
+      bench::run_swap);
+  bench::SwapOptions& options = flags->options;
+  add_count(*command, "--runs", options.runs, "per scene");
+  add_preset(*command, options.preset);
+  command->add_option("--scenes", options.scenes, "words of their names, comma between; without it all")
+      ->delimiter(',');
+  add_system(*command, options.system);
+  add_seed_set(*command, options.seeds);
+  add_count(*command, "--jobs", options.jobs, "scenes at once");
+}
+
+}  // namespace
+
+void add_motion_benches(CLI::App& parent, Action& action) {
+  add_crowd(parent, action);
+  add_swap(parent, action);
+}
+
+}  // namespace regista

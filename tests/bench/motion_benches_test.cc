@@ -1,0 +1,77 @@
+// Set pieces and the benches of motion, each in one tiny run.
+#include <catch2/catch.hpp>
+
+#include "modules/bench/motion/scene_run.h"
+#include "modules/bench/motion/swap_bench.h"
+#include "tests/bench/bench_run.h"
+
+namespace regista::bench {
+namespace {
+
+TEST_CASE("set pieces begin without contact, inside the boards") {
+  for (const MotionScene& scene : swap_scenes()) {
+    INFO(scene.name);
+    const Vec2 half = half_extent(scene.field, 0.09);
+    for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+      const Vec2& place = scene.robots[i].pose.position_m;
+      CHECK(std::abs(place.x()) <= half.x());
+      CHECK(std::abs(place.y()) <= half.y());
+      for (std::size_t j = 0; j < i; ++j) CHECK((place - scene.robots[j].pose.position_m).norm() > 0.18);
+    }
+  }
+}
+
+TEST_CASE("a swap on a circle sends everybody to another's place or the opposite point") {
+  const MotionScene scene = circle_swap(22, 4.0, true);
+  CHECK(scene.targets[0].targets.size() == 11);
+  CHECK(scene.targets[1].targets.size() == 11);
+  for (const RobotPlacement& robot : scene.robots) {
+    const Target& target = scene.targets.at(static_cast<std::size_t>(robot.id.team)).targets.at(robot.id.number);
+    CHECK((robot.pose.position_m + target.pose.position_m).norm() < 1e-12);
+    CHECK(robot.pose.position_m.norm() == Approx(4.0));
+  }
+  CHECK(circle_swap(100, 10.0, false).field.length_m >= 20.0);
+}
+
+TEST_CASE("nobody is faster than the straight drive, but for the last centimetres") {
+  // 4.5 m = 3² / (2 · 3) + 3² / (2 · 4) + 1.875 m at 3 m/s
+  CHECK(straight_drive_s(4.5, RobotLimits{}) == Approx(1.0 + 0.75 + 0.625));
+  // At 4 m/s² the last 5 cm take √(2 · 0.05 / 4) s.
+  constexpr double kRest_s = 0.159;
+  for (const MotionScene& scene : {defence_area(), ring(), occupied_target()}) {
+    const SceneScore score = play_scene(scene, {}, "none", 1);
+    for (const Arrival& arrival : score.arrivals) {
+      INFO(scene.name << ", " << to_string(arrival.robot));
+      if (arrival.arrived_s) CHECK(*arrival.arrived_s > arrival.straight_s - kRest_s);
+    }
+  }
+}
+
+TEST_CASE("there is no way around the corridor") {
+  MotionScene scene = corridor();
+  scene.limit_s = 10.0;
+  std::erase_if(scene.robots, [](const RobotPlacement& robot) { return robot.id == RobotId{Team::yellow, 1}; });
+  const SceneScore alone = play_scene(scene, {}, "none", 1);
+  REQUIRE(alone.arrivals.size() == 1);
+  CHECK(alone.arrivals[0].arrived_s.has_value());
+  scene.add(Team::blue, Vec2::Zero());
+  const SceneScore blocked = play_scene(scene, {}, "none", 1);
+  CHECK(!blocked.arrivals[0].arrived_s);
+  CHECK(blocked.arrivals[0].waited_m > 2.5);
+}
+
+TEST_CASE("bench swap") {
+  const BenchRun bench;
+  SwapOptions options;
+  options.runs = 1;
+  options.scenes = {"defence", "ring"};
+  options.pictures = false;
+  CHECK(run_swap(options, bench.run) == 0);
+  CHECK(bench.rows("swap") == 2);
+  CHECK(std::filesystem::file_size(bench.run.out / "swap_1.lcmlog") > 0);
+  options.scenes = {"no such scene"};
+  CHECK_THROWS_AS(run_swap(options, bench.run), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace regista::bench
