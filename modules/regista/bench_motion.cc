@@ -1,4 +1,5 @@
 #include "modules/bench/motion/crowd_bench.h"
+#include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/swap_bench.h"
 #include "modules/regista/bench_flags.h"
 
@@ -69,11 +70,24 @@ void add_swap(CLI::App& parent, Action& action) {
   add_count(*command, "--jobs", options.jobs, "scenes at once");
 }
 
+void add_motion(CLI::App& parent, Action& action) {
+  const auto [command, flags] = add_one_bench(
+      parent, action, "motion", "one robot against the least time, alone and among standing robots", bench::run_motion);
+  bench::MotionOptions& options = flags->options;
+  add_count(*command, "--moves", options.moves, "free moves, per set of limits");
+  add_count(*command, "--drives", options.drives, "among standing robots, per preset");
+  add_names(*command, "--preset", options.presets, "of the drives, comma between", {"none", "noisy", "realistic"});
+  add_system(*command, options.system);
+  add_seed_set(*command, options.seeds);
+  add_count(*command, "--jobs", options.jobs, "moves at once");
+}
+
 }  // namespace
 
 void add_motion_benches(CLI::App& parent, Action& action) {
   add_crowd(parent, action);
   add_swap(parent, action);
+  add_motion(parent, action);
 }
 
 }  // namespace regista

@@ -1,6 +1,7 @@
 // Set pieces and the benches of motion, each in one tiny run.
 #include <catch2/catch.hpp>
 
+#include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/scene_run.h"
 #include "modules/bench/motion/swap_bench.h"
 #include "tests/bench/bench_run.h"
@@ -71,6 +72,18 @@ TEST_CASE("bench swap") {
   CHECK(std::filesystem::file_size(bench.run.out / "swap_1.lcmlog") > 0);
   options.scenes = {"no such scene"};
   CHECK_THROWS_AS(run_swap(options, bench.run), std::invalid_argument);
+}
+
+TEST_CASE("bench motion") {
+  const BenchRun bench;
+  MotionOptions options;
+  options.moves = 5;
+  options.drives = 2;
+  options.presets = {"none"};
+  CHECK(run_motion(options, bench.run) == 0);
+  CHECK(bench.rows("motion_free") == 3);
+  CHECK(bench.rows("motion_standing") == 1);
+  CHECK(bench.has_plot("motion"));
 }
 
 }  // namespace
