@@ -40,6 +40,19 @@ TEST_CASE("the answer comes to rest at the origin, and its costate proves that n
   }
 }
 
+TEST_CASE("states that are nearly on a line through the origin are found too") {
+  std::mt19937_64 random(9);
+  for (int i = 0; i < 300; ++i) {
+    const double off_rad = std::pow(10.0, uniform(random, -8.0, -1.0));
+    const Vec2 x = rotated({uniform(random, 0.0, 1.0), 0.0}, 0.7);
+    const Vec2 v = rotated({uniform(random, -1.0, 1.0), 0.0}, 0.7 + off_rad);
+    INFO("number " << i << ": x " << x.transpose() << ", v " << v.transpose());
+    const MinimumTime answer = minimum_time(x, v, 3.0);
+    CHECK(shortfall(answer, x, v, 3.0, 0.999 * answer.duration_s) > 0.0);
+    CHECK(followed(answer, x, v, 3.0).first.norm() < 1e-3);
+  }
+}
+
 TEST_CASE("along a line it is full ahead and full back") {
   CHECK(minimum_time({3.0, 0.0}, Vec2::Zero(), 3.0).duration_s == Approx(2.0).epsilon(1e-6));
   CHECK(minimum_time({-1.0, -1.0}, Vec2::Zero(), 4.0).duration_s ==

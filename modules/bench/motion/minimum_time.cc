@@ -16,6 +16,7 @@ using Vec4 = Eigen::Vector4d;
 constexpr int kStarts = 400;        // of the search; most states need one to five
 constexpr int kSteps = 80;          // of each
 constexpr double kRest = 1e-9;      // |v|, |x| of the end where a = 1 and the time about 1: the search has converged
+constexpr double kLine = 1e-5;      // |x × v| likewise: off the line by so little changes the time by its square
 constexpr double kSteepest = 30.0;  // sinh(30) = 5e12: a switch as sharp as that is one between full ahead and back
 constexpr double kFlat = 0.3;       // below, the closed form would divide small differences
 
@@ -132,7 +133,7 @@ MinimumTime minimum_time(const Vec2& x, const Vec2& v, double a) {
   if (unit_s == 0.0) return {};
   const Vec2 place = x / (a * unit_s * unit_s);
   const Vec2 velocity = v / (a * unit_s);
-  if (std::abs(cross(place, velocity)) <= kRest) {
+  if (std::abs(cross(place, velocity)) <= kLine) {
     return in_time(along_line(place, velocity), unit_s);
   }
   const Vec2 line = place.norm() > velocity.norm() ? place : velocity;
