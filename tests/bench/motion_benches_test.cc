@@ -1,6 +1,8 @@
 // Set pieces and the benches of motion, each in one tiny run.
 #include <catch2/catch.hpp>
 
+#include "modules/bench/motion/dynamic_bench.h"
+#include "modules/bench/motion/dynamic_drive.h"
 #include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/scene_run.h"
 #include "modules/bench/motion/swap_bench.h"
@@ -84,6 +86,36 @@ TEST_CASE("bench motion") {
   CHECK(bench.rows("motion_free") == 3);
   CHECK(bench.rows("motion_standing") == 1);
   CHECK(bench.has_plot("motion"));
+}
+
+TEST_CASE("a dynamic drive without obstacles takes the straight line's time; obstacles go where they should") {
+  DynamicScenario scenario = load_dynamic_scenario("dvg_dynamic_1");
+  const std::vector<double> phases{0.1, 0.3, 0.5, 0.7, 0.9, 0.2, 0.4};
+  const DynamicDrive among = drive_dynamic(scenario, phases, {}, "none", 1);
+  const DynamicDrive again = drive_dynamic(scenario, phases, {}, "none", 1);
+  CHECK(among.navigation_s == again.navigation_s);
+  CHECK(among.crossed == again.crossed);
+  CHECK(among.collisions == again.collisions);
+  CHECK(among.crossed > 0);
+  scenario.obstacles.clear();
+  const DynamicDrive alone = drive_dynamic(scenario, {}, {}, "none", 1);
+  CHECK(alone.arrived);
+  CHECK(alone.collisions == 0);
+  CHECK(alone.navigation_s > alone.straight_s - 0.1);
+  CHECK(alone.navigation_s < 1.05 * alone.straight_s);
+}
+
+TEST_CASE("bench dynamic") {
+  const BenchRun bench;
+  DynamicOptions options;
+  options.drives = 2;
+  options.planners = {"tangent"};
+  options.presets = {"noisy"};
+  CHECK(run_dynamic(options, bench.run) == 0);
+  CHECK(bench.rows("dynamic") >= 2);
+  CHECK(bench.rows("dynamic_table11_noisy") >= 6);
+  CHECK(bench.has_plot("dynamic_table10_noisy_1"));
+  CHECK(bench.has_plot("dynamic_histogram_noisy_2"));
 }
 
 }  // namespace
