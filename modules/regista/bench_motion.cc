@@ -1,5 +1,6 @@
 #include "modules/bench/motion/crowd_bench.h"
 #include "modules/bench/motion/dynamic_bench.h"
+#include "modules/bench/motion/margins_bench.h"
 #include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/swap_bench.h"
 #include "modules/regista/bench_flags.h"
@@ -102,6 +103,24 @@ void add_dynamic(CLI::App& parent, Action& action) {
   add_count(*command, "--jobs", options.jobs, "drives at once");
 }
 
+void add_margins(CLI::App& parent, Action& action) {
+  const auto [command, flags] = add_one_bench(parent, action, "margins",
+                                              "contacts inside a team against its margin, where robots are not as "
+                                              "modelled",
+                                              bench::run_margins);
+  bench::MarginsOptions& options = flags->options;
+  command->add_option("--minutes", options.minutes, "simulated, per error and margin")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e5));
+  command->add_option("--margins-mm", options.margins_mm, "margins, mm, comma between")
+      ->delimiter(',')
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000.0));
+  add_system(*command, options.system);
+  add_seed_set(*command, options.seeds);
+  add_count(*command, "--jobs", options.jobs, "runs at once");
+}
+
 }  // namespace
 
 void add_motion_benches(CLI::App& parent, Action& action) {
@@ -109,6 +128,7 @@ void add_motion_benches(CLI::App& parent, Action& action) {
   add_swap(parent, action);
   add_motion(parent, action);
   add_dynamic(parent, action);
+  add_margins(parent, action);
 }
 
 }  // namespace regista

@@ -3,6 +3,7 @@
 
 #include "modules/bench/motion/dynamic_bench.h"
 #include "modules/bench/motion/dynamic_drive.h"
+#include "modules/bench/motion/margins_bench.h"
 #include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/scene_run.h"
 #include "modules/bench/motion/swap_bench.h"
@@ -116,6 +117,16 @@ TEST_CASE("bench dynamic") {
   CHECK(bench.rows("dynamic_table11_noisy") >= 6);
   CHECK(bench.has_plot("dynamic_table10_noisy_1"));
   CHECK(bench.has_plot("dynamic_histogram_noisy_2"));
+}
+
+TEST_CASE("bench margins") {
+  const BenchRun bench;
+  MarginsOptions options;
+  options.minutes = 0.05;
+  options.margins_mm = {0.0, 20.0};
+  CHECK(run_margins(options, bench.run) == 0);
+  CHECK(bench.rows("margins") >= 8);
+  CHECK(bench.has_plot("margins"));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "modules/bench/motion/free_move.h"
 #include "modules/bench/motion/scene_run.h"
 #include "modules/bench/motion/simple_drivers.h"
+#include "modules/bench/motion/target_sources.h"
 #include "modules/bench/paper/dvg_scenario.h"
 
 namespace regista::bench {
@@ -92,7 +93,7 @@ DynamicDrive drive_dynamic(const DynamicScenario& scenario, std::span<const doub
   targets.team = Team::yellow;
   targets.targets = {{.robot = kRobot.number, .pose = {scenario.goal, 0.0}, .speed_max_mps = scenario.speed_mps}};
   LoopSetup setup = setup_of(scenario, phases, loop_config(system, preset), seed);
-  setup.of(Team::yellow).targets = [&targets](const WorldState&) -> const Targets& { return targets; };
+  setup.of(Team::yellow).targets = source_of(targets);
   ClosedLoop loop(std::move(setup));
   DynamicDrive out;
   RobotLimits limits;

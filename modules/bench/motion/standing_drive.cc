@@ -2,9 +2,9 @@
 
 #include "modules/bench/motion/free_move.h"
 #include "modules/bench/motion/scene_run.h"
+#include "modules/bench/motion/target_sources.h"
 #include "modules/bench/worlds.h"
 #include "planning/uniform.h"
-#include "sim/random_targets.h"
 
 namespace regista::bench {
 namespace {
@@ -40,7 +40,7 @@ StandingDrive drive_among_standing(const SystemChoice& system, const std::string
   targets.team = Team::yellow;
   targets.targets = {{.robot = 0, .pose = {at[1], 0.0}}};
   setup.of(Team::yellow) = {std::make_unique<SystemDriver>(Team::yellow, system_params(config, Team::yellow)),
-                            [&targets](const WorldState&) -> const Targets& { return targets; }};
+                            source_of(targets)};
   ClosedLoop loop(std::move(setup));
   StandingDrive out;
   std::optional<Time> began;
