@@ -1,6 +1,10 @@
 // Set pieces and the benches of motion, each in one tiny run.
 #include <catch2/catch.hpp>
 
+#include "modules/bench/motion/dynamic_bench.h"
+#include "modules/bench/motion/dynamic_drive.h"
+#include "modules/bench/motion/margins_bench.h"
+#include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/scene_run.h"
 #include "modules/bench/motion/swap_bench.h"
 #include "tests/bench/bench_run.h"
@@ -71,6 +75,58 @@ TEST_CASE("bench swap") {
   CHECK(std::filesystem::file_size(bench.run.out / "swap_1.lcmlog") > 0);
   options.scenes = {"no such scene"};
   CHECK_THROWS_AS(run_swap(options, bench.run), std::invalid_argument);
+}
+
+TEST_CASE("bench motion") {
+  const BenchRun bench;
+  MotionOptions options;
+  options.moves = 5;
+  options.drives = 2;
+  options.presets = {"none"};
+  CHECK(run_motion(options, bench.run) == 0);
+  CHECK(bench.rows("motion_free") == 3);
+  CHECK(bench.rows("motion_standing") == 1);
+  CHECK(bench.has_plot("motion"));
+}
+
+TEST_CASE("a dynamic drive without obstacles takes the straight line's time; obstacles go where they should") {
+  DynamicScenario scenario = load_dynamic_scenario("dvg_dynamic_1");
+  const std::vector<double> phases{0.1, 0.3, 0.5, 0.7, 0.9, 0.2, 0.4};
+  const DynamicDrive among = drive_dynamic(scenario, phases, {}, "none", 1);
+  const DynamicDrive again = drive_dynamic(scenario, phases, {}, "none", 1);
+  CHECK(among.navigation_s == again.navigation_s);
+  CHECK(among.crossed == again.crossed);
+  CHECK(among.collisions == again.collisions);
+  CHECK(among.crossed > 0);
+  scenario.obstacles.clear();
+  const DynamicDrive alone = drive_dynamic(scenario, {}, {}, "none", 1);
+  CHECK(alone.arrived);
+  CHECK(alone.collisions == 0);
+  CHECK(alone.navigation_s > alone.straight_s - 0.1);
+  CHECK(alone.navigation_s < 1.05 * alone.straight_s);
+}
+
+TEST_CASE("bench dynamic") {
+  const BenchRun bench;
+  DynamicOptions options;
+  options.drives = 2;
+  options.planners = {"tangent"};
+  options.presets = {"noisy"};
+  CHECK(run_dynamic(options, bench.run) == 0);
+  CHECK(bench.rows("dynamic") >= 2);
+  CHECK(bench.rows("dynamic_table11_noisy") >= 6);
+  CHECK(bench.has_plot("dynamic_table10_noisy_1"));
+  CHECK(bench.has_plot("dynamic_histogram_noisy_2"));
+}
+
+TEST_CASE("bench margins") {
+  const BenchRun bench;
+  MarginsOptions options;
+  options.minutes = 0.05;
+  options.margins_mm = {0.0, 20.0};
+  CHECK(run_margins(options, bench.run) == 0);
+  CHECK(bench.rows("margins") >= 8);
+  CHECK(bench.has_plot("margins"));
 }
 
 }  // namespace

@@ -145,6 +145,11 @@ Plot bars(const std::string& title, const Axis& y, const std::vector<Row>& rows,
   plot.x.low = 0.5;
   plot.x.high = static_cast<double>(place.size()) + 0.5;
   plot.y.low = 0.0;
+  const auto is_zero = [](const PlotPoint& point) { return point.y == 0.0; };
+  const bool flat = std::all_of(plot.series.begin(), plot.series.end(), [&](const Series& one) {
+    return std::all_of(one.points.begin(), one.points.end(), is_zero);
+  });
+  if (flat) plot.y.high = 1.0;  // gnuplot draws no axis from 0 to 0
   return plot;
 }
 

@@ -5,7 +5,7 @@
 
 #include "modules/bench/motion/cpu_time.h"
 #include "modules/bench/motion/simple_drivers.h"
-#include "sim/random_targets.h"
+#include "modules/bench/motion/target_sources.h"
 
 namespace regista::bench {
 namespace {
@@ -22,10 +22,6 @@ RandomTargets random_targets(Team team, const FieldGeometry& field, double speed
   RandomTargetsParams params;
   params.speed_max_mps = speed_max_mps;
   return {team, field, params, mixed(seed, kTargetsStream + static_cast<std::uint64_t>(team))};
-}
-
-TargetSource source_of(RandomTargets& targets) {
-  return [&targets](const WorldState& world) -> const Targets& { return targets.update(world); };
 }
 
 std::unique_ptr<Driver> opponents(Opponents kind, const Config& config, const RobotLimits& limits) {

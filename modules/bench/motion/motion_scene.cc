@@ -96,8 +96,10 @@ MotionScene occupied_target() {
 MotionScene pinned() {
   MotionScene scene("pinned by a chaser");
   scene.drivers = {SceneDriver::system, SceneDriver::chaser};
-  scene.add(Team::yellow, {-3.0, 0.0}, {3.0, 0.0});
-  scene.add(Team::blue, {-2.5, 0.0});
+  constexpr double kTouching_m = 0.2;
+  const double boards_m = half_extent(scene.field, kBody_m / 2.0).y();
+  scene.add(Team::yellow, {-3.0, -boards_m}, {-3.0, 3.0});
+  scene.add(Team::blue, {-3.0, kTouching_m - boards_m});
   return scene;
 }
 

@@ -45,7 +45,8 @@ MotionScene defence_area();
 /// To a target on which an opponent stands.
 MotionScene occupied_target();
 
-/// Past an opponent half a metre away on the straight way, which comes at it at full speed and does not let go.
+/// From the boards, past an opponent on the straight way, which presses the robot against them at full speed and does
+/// not let go.
 MotionScene pinned();
 
 std::vector<MotionScene> swap_scenes();

@@ -5,6 +5,7 @@
 
 #include "control/speed_profile.h"
 #include "modules/bench/motion/simple_drivers.h"
+#include "modules/bench/motion/target_sources.h"
 
 namespace regista::bench {
 namespace {
@@ -64,9 +65,8 @@ LoopSetup setup_of(const MotionScene& scene, const Config& config, std::uint64_t
   setup.sim.robots = scene.robots;
   for (const Team team : kTeams) {
     const auto side = static_cast<std::size_t>(team);
-    const Targets& targets = scene.targets.at(side);
     setup.of(team).driver = driver_of(scene.drivers.at(side), team, config, setup.sim.params.limits);
-    setup.of(team).targets = [&targets](const WorldState&) -> const Targets& { return targets; };
+    setup.of(team).targets = source_of(scene.targets.at(side));
   }
   return setup;
 }
