@@ -13,22 +13,22 @@ SafetyMode safety_mode(const std::string& name) {
   throw std::invalid_argument("safety.mode must be none, published or team, not '" + name + "'");
 }
 
-const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
+const std::vector<SafeChoice>& Avoidance::choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                            std::span<const Opponent> opponents, const Surroundings& around,
                                            const ControlParams& params, double period_s) {
   const SafetyMode mode = safety_mode(params.safety.mode);
-  chosen_mps_.clear();
+  chosen_.clear();
   if (mode == SafetyMode::team) {
     keep_out_of_the_way(team, arrivals_s, opponents, params);
-    search_.choose(team, opponents, around, params.limits, params.safety, period_s, chosen_mps_);
-    return chosen_mps_;
+    search_.choose(team, opponents, around, params.limits, params.safety, period_s, chosen_);
+    return chosen_;
   }
   for (std::size_t i = 0; i < team.size(); ++i) {
-    chosen_mps_.push_back(mode == SafetyMode::none ? team[i].wanted_mps
-                                                   : published_choice(team, i, opponents, params.limits,
-                                                                      params.safety, period_s));
+    chosen_.push_back({mode == SafetyMode::none
+                           ? team[i].wanted_mps
+                           : published_choice(team, i, opponents, params.limits, params.safety, period_s)});
   }
-  return chosen_mps_;
+  return chosen_;
 }
 
 void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,

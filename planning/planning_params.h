@@ -13,21 +13,21 @@ namespace regista {
 
 struct PlanningParams {
   double robot_radius_m = 0.09;            ///< the largest legal body (SSL rules, "Robot shape")
-  double team_margin_m = 0.03;             ///< between bodies of one team; estimate noise and tracking error fit in
-  double opponent_margin_m = 0.04;         ///< to opponents' bodies, whose motion is known less well
+  double team_margin_m = 0.05;             ///< between bodies of one team; estimate noise and tracking error fit in
+  double opponent_margin_m = 0.08;         ///< to opponents' bodies, whose motion is known less well
   double area_margin_m = 0.01;             ///< between a body and a defence area
   double wall_margin_m = 0.005;            ///< between a body and the goals' walls
   double stretch_horizon_s = 0.0;          ///< moving robots become capsules this far along their velocity; 0: discs
   double stretch_max_m = 1.0;              ///< cap of that length
   /// Others are planned around where they will be at the nearest approach, at most so far ahead: what resolves most
   /// deadlocks. 0: where they are, and the whole team shares one graph.
-  double prediction_horizon_s = 1.0;
+  double prediction_horizon_s = 0.5;
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
   /// Changes of side in the main job fall by a quarter with this, those within 0.2 s by half; twice as much stickiness
   /// costs twice as many targets for little more.
-  double side_change_gain = 0.05;
+  double side_change_gain = 0.0;
   std::int64_t iterations = 2500;         ///< samples a random planner may draw (N of Costa & Tonidandel)
   std::int64_t anytime_iterations = 200;  ///< where no time ends an anytime planner: about a millisecond of RRT*
   std::int64_t budget_us = 0;             ///< time per robot; 0: a random planner's is its share of frame_period_s

@@ -37,17 +37,18 @@ void Motion::then_stand(const Vec2& acceleration_mps2, double duration_s) {
   phases_[count_ - 1].velocity_mps = Vec2::Zero();
 }
 
-Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double braking_mps2, double period_s) {
+Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double hold_s, double braking_mps2, double period_s) {
   Motion motion(position_m, velocity_mps);
+  if (hold_s > 0.0 && !velocity_mps.isZero(0.0)) motion.then(Vec2::Zero(), hold_s);
   append_braking(motion, velocity_mps, braking_mps2, period_s);
   return motion;
 }
 
-Motion manoeuvre(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& next_velocity_mps, double coast_s,
+Motion manoeuvre(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& next_velocity_mps, double hold_s,
                  double braking_mps2, double period_s) {
   Motion motion(position_m, velocity_mps);
   motion.then((next_velocity_mps - velocity_mps) / period_s, period_s);
-  if (coast_s > 0.0) motion.then(Vec2::Zero(), coast_s);
+  if (hold_s > 0.0 && !next_velocity_mps.isZero(0.0)) motion.then(Vec2::Zero(), hold_s);
   append_braking(motion, next_velocity_mps, braking_mps2, period_s);
   return motion;
 }

@@ -58,10 +58,11 @@ class Motion {
 
 /// Braking straight ahead to a stand, in whole control periods: k = ⌈|v| / (braking·period)⌉ of them with deceleration
 /// |v| / (k·period). So after one period what is left is again this very motion, and a promise to brake stays one.
-Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double braking_mps2, double period_s);
+/// Before that it holds its velocity for hold_s >= 0.
+Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double hold_s, double braking_mps2, double period_s);
 
-/// One period towards next_velocity_mps, coast_s at that velocity, then braking() from there.
-Motion manoeuvre(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& next_velocity_mps, double coast_s,
+/// One period towards next_velocity_mps, hold_s at that velocity, then braking() from there.
+Motion manoeuvre(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& next_velocity_mps, double hold_s,
                  double braking_mps2, double period_s);
 
 }  // namespace regista

@@ -15,6 +15,9 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Two that are already nearer than they should be must at least come no nearer; less than this is no way. Metres.
 constexpr double kStill_m = 1e-9;
 
+/// What rounding leaves of a time that is used up.
+constexpr double kStill_s = 1e-9;
+
 /// Parts of the largest acceleration that are sampled.
 constexpr std::array kMagnitudes{1.0, 2.0 / 3.0, 1.0 / 3.0};
 
@@ -26,7 +29,7 @@ double attainable(double wanted_m, const Vec2& a, const Vec2& b) {
 
 void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opponent> opponents,
                           const Surroundings& around, const RobotLimits& limits, const SafetyParams& params,
-                          double period_s, std::vector<Vec2>& chosen_mps) {
+                          double period_s, std::vector<SafeChoice>& chosen) {
   team_ = team;
   around_ = &around;
   limits_ = &limits;
@@ -35,10 +38,11 @@ void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opp
   predict(opponents);
   promised_.clear();
   for (const SafetyRobot& robot : team) {
-    promised_.push_back(braking(robot.position_m, robot.velocity_mps, limits.braking_max_mps2, period_s));
+    promised_.push_back(
+        braking(robot.position_m, robot.velocity_mps, robot.hold_s, limits.braking_max_mps2, period_s));
   }
-  chosen_mps.clear();
-  for (std::size_t i = 0; i < team.size(); ++i) chosen_mps.push_back(choose_for(i));
+  chosen.clear();
+  for (std::size_t i = 0; i < team.size(); ++i) chosen.push_back(choose_for(i));
 }
 
 void SafetySearch::predict(std::span<const Opponent> opponents) {
@@ -47,7 +51,7 @@ void SafetySearch::predict(std::span<const Opponent> opponents) {
   for (const Opponent& opponent : opponents) {
     OpponentModel model;
     model.braking =
-        braking(opponent.position_m, opponent.velocity_mps, limits_->braking_max_mps2, period_s_);
+        braking(opponent.position_m, opponent.velocity_mps, 0.0, limits_->braking_max_mps2, period_s_);
     model.predicted = Motion(opponent.position_m, opponent.velocity_mps);
     if (lasts_s > 0.0) model.predicted.then(opponent.acceleration_mps2, lasts_s);
     if (params_->horizon_s > lasts_s) model.predicted.then(Vec2::Zero(), params_->horizon_s - lasts_s);
@@ -57,9 +61,9 @@ void SafetySearch::predict(std::span<const Opponent> opponents) {
   }
 }
 
-Motion SafetySearch::motion_to(std::size_t robot, const Vec2& next_mps) const {
+Motion SafetySearch::motion_of(std::size_t robot, const SafeChoice& choice) const {
   const SafetyRobot& self = team_[robot];
-  return manoeuvre(self.position_m, self.velocity_mps, next_mps, params_->coast_s, limits_->braking_max_mps2,
+  return manoeuvre(self.position_m, self.velocity_mps, choice.velocity_mps, choice.hold_s, limits_->braking_max_mps2,
                    period_s_);
 }
 
@@ -90,37 +94,50 @@ void SafetySearch::sample(const SafetyRobot& robot) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
-Vec2 SafetySearch::choose_for(std::size_t robot) {
+SafeChoice SafetySearch::choose_for(std::size_t robot) {
   const SafetyRobot& self = team_[robot];
-  const Vec2 wanted = limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_,
-                                       period_s_);
-  Motion motion = motion_to(robot, wanted);
-  Safety best = safety_of(robot, wanted, motion);
-  Vec2 chosen = wanted;
-  if (best < Safety::opponents_predicted) {
-    sample(self);
-    Motion best_motion = motion;
-    for (const auto& [distance, next] : samples_) {
-      motion = motion_to(robot, next);
-      const Safety safety = safety_of(robot, next, motion);
+  SafeChoice chosen;
+  Motion promise;
+  Safety best = Safety::none;
+  const auto consider = [&](const Vec2& next_mps) {
+    for (const double hold_s : {params_->hold_s, 0.0}) {
+      const SafeChoice choice{next_mps, hold_s};
+      const Motion motion = motion_of(robot, choice);
+      const Safety safety = safety_of(robot, next_mps, motion);
       if (safety <= best) continue;
       best = safety;
-      best_motion = motion;
-      chosen = next;
-      if (best == Safety::opponents_predicted) break;
+      chosen = choice;
+      promise = motion;
+      if (best == Safety::opponents_predicted) return true;
     }
-    motion = best_motion;
+    return false;
+  };
+  const Vec2 wanted = limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_,
+                                       period_s_);
+  if (!consider(wanted)) {
+    sample(self);
+    for (const auto& [distance, next_mps] : samples_) {
+      if (consider(next_mps)) break;
+    }
   }
+  // Whoever would touch an opponent even if that one brakes can do no better than brake.
   if (best < Safety::opponents_brake) {
-    // Not even against an opponent that brakes: nothing is better than braking, and braking is always left.
-    const Phase& first = promised_[robot].phases().front();
-    return velocity_after(first, promised_[robot].settled_s() > 0.0 ? period_s_ : 0.0);
+    best = Safety::none;
+    consider(limited_velocity(self.velocity_mps, Vec2::Zero(), *limits_, period_s_));
+    if (best == Safety::none) return keep_promise(robot);
   }
-  promised_[robot] = motion;
+  promised_[robot] = promise;
   return chosen;
 }
 
-SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) {
+SafeChoice SafetySearch::keep_promise(std::size_t robot) const {
+  const SafetyRobot& self = team_[robot];
+  if (self.hold_s > kStill_s) return {self.velocity_mps, std::max(0.0, self.hold_s - period_s_)};
+  const Motion& promise = promised_[robot];
+  return {promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero()), 0.0};
+}
+
+SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
   if (!is_clear_of_team(robot, motion) || !is_clear_of_shapes(robot, motion)) return Safety::none;
   if (!is_clear_of_braking_opponents(robot, motion)) return Safety::team;
   return is_clear_of_predicted(robot, next_mps, motion) ? Safety::opponents_predicted : Safety::opponents_brake;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planning/obstacle.h"
+#include "world_model/types/field.h"
 
 namespace regista {
 
@@ -13,5 +14,10 @@ struct Surroundings {
   std::size_t own_area = SIZE_MAX;                  ///< index of the team's defence area, which its goalkeeper may enter
   bool operator==(const Surroundings&) const = default;
 };
+
+/// The boards around the field, for robots of that radius.
+inline Surroundings surroundings_of(const FieldGeometry& field, double radius_m) {
+  return {half_extent(field, radius_m), {}};
+}
 
 }  // namespace regista

@@ -98,7 +98,7 @@ void ControllerModule::command(Time now) {
   braked_at_.reset();
   Surroundings around;
   if (geometry_.newest() != nullptr) {
-    around.half_extent_m = half_extent(geometry_.newest()->field, params_.control.limits.radius_m);
+    around = surroundings_of(geometry_.newest()->field, params_.control.limits.radius_m);
   }
   publish(controller_.update(world, fresh_plans(now), dt_s, around));
   bus().publish(channels::timing(name()), Timing{world.captured, name(), stopwatch_() - begin_ns, {}});

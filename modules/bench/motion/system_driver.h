@@ -29,6 +29,7 @@ class SystemDriver : public Driver {
  private:
   TeamPlanner planner_;
   Controller controller_;
+  double radius_m_;
   std::vector<RobotPlan> plans_;
   std::vector<DriveTime> times_;
 };
