@@ -85,7 +85,7 @@ TEST_CASE("bench motion") {
   options.drives = 2;
   options.presets = {"none"};
   CHECK(run_motion(options, bench.run) == 0);
-  CHECK(bench.rows("motion_free") == 3);
+  CHECK(bench.rows("motion_free") == 4);
   CHECK(bench.rows("motion_standing") == 1);
   CHECK(bench.has_plot("motion"));
 }

@@ -62,7 +62,7 @@ int run_cost(const CostOptions& options, const Run& run) {
   const std::vector<std::string> safety = has_safety_modes() ? options.safety : std::vector<std::string>{""};
   Report report(run);
   std::vector<Row> rows(safety.size());
-  const std::uint64_t seed = mixed(run.seed, static_cast<std::uint64_t>(options.seeds));
+  const std::uint64_t seed = seed_of(options.seeds, run.seed);
   in_parallel("cost", rows.size(), 1, [&](std::size_t i) {
     SystemChoice system = options.system;
     system.safety = safety[i];

@@ -38,7 +38,7 @@ void play(std::vector<Row>& rows, const CrowdOptions& options, std::uint64_t see
   const double piece_min = options.minutes / static_cast<double>(pieces);
   std::vector<CrowdScore> scores(rows.size() * pieces);
   in_parallel("crowd", scores.size(), options.jobs, [&](std::size_t i) {
-    const std::uint64_t piece_seed = mixed(mixed(seed, static_cast<std::uint64_t>(options.seeds)), i % pieces);
+    const std::uint64_t piece_seed = mixed(seed_of(options.seeds, seed), i % pieces);
     scores[i] = play_crowd(rows[i / pieces].game, options.system, piece_min, piece_seed);
   });
   for (std::size_t i = 0; i < scores.size(); ++i) rows[i / pieces].score += scores[i];
