@@ -1,3 +1,4 @@
+#include "modules/bench/motion/cost_bench.h"
 #include "modules/bench/motion/crowd_bench.h"
 #include "modules/bench/motion/dynamic_bench.h"
 #include "modules/bench/motion/margins_bench.h"
@@ -121,6 +122,22 @@ void add_margins(CLI::App& parent, Action& action) {
   add_count(*command, "--jobs", options.jobs, "runs at once");
 }
 
+void add_cost(CLI::App& parent, Action& action) {
+  const auto [command, flags] =
+      add_one_bench(parent, action, "cost", "time of a tick: planning, control, safety search", bench::run_cost);
+  bench::CostOptions& options = flags->options;
+  command->add_option("--minutes", options.minutes, "simulated, per safety search")
+      ->capture_default_str()
+      ->check(CLI::Range(0.01, 1e5));
+  command->add_option("--safety", options.safety, "values of controller.safety.mode, comma between")
+      ->delimiter(',')
+      ->capture_default_str();
+  add_preset(*command, options.preset);
+  command->add_option("--planner", options.system.planner, "see: regista planner list");
+  add_settings(*command, options.system.settings);
+  add_seed_set(*command, options.seeds);
+}
+
 }  // namespace
 
 void add_motion_benches(CLI::App& parent, Action& action) {
@@ -129,6 +146,7 @@ void add_motion_benches(CLI::App& parent, Action& action) {
   add_motion(parent, action);
   add_dynamic(parent, action);
   add_margins(parent, action);
+  add_cost(parent, action);
 }
 
 }  // namespace regista

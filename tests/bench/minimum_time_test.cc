@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "modules/bench/motion/braking_time.h"
 #include "planning/uniform.h"
 
 namespace regista::bench {
@@ -71,6 +72,27 @@ TEST_CASE("turned and mirrored states take as long, a stronger robot less") {
   CHECK(minimum_time({x.x(), -x.y()}, {v.x(), -v.y()}, 3.0).duration_s == Approx(once));
   CHECK(minimum_time(x, v, 4.0).duration_s < once);
   CHECK_THROWS_AS(minimum_time(x, v, 0.0), std::invalid_argument);
+}
+
+TEST_CASE("under the limits model the least time lies between those of both discs") {
+  std::mt19937_64 random(11);
+  int found = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec2 x = rotated({uniform(random, 0.2, 3.0), 0.0}, uniform(random, -3.0, 3.0));
+    const Vec2 v = rotated({uniform(random, 0.0, 3.0), 0.0}, uniform(random, -3.0, 3.0));
+    INFO("number " << i << ": x " << x.transpose() << ", v " << v.transpose());
+    const std::optional<double> time = braking_time(x, v, 3.0, 4.0);
+    if (!time) continue;
+    ++found;
+    CHECK(*time <= minimum_time(x, v, 3.0).duration_s + 1e-4);
+    CHECK(*time >= minimum_time(x, v, 4.0).duration_s - 1e-4);
+    CHECK(*braking_time(x, v, 3.0, 3.0) == Approx(minimum_time(x, v, 3.0).duration_s).epsilon(1e-4));
+  }
+  CHECK(found > 80);
+  // Nearly along a line: d = s²/2a + s²/2b in s/a + s/b.
+  const std::optional<double> line = braking_time({-7.0 / 6.0, 0.0}, {0.0, 0.05}, 3.0, 4.0);
+  REQUIRE(line.has_value());
+  CHECK(*line == Approx(2.0 / 3.0 + 2.0 / 4.0).epsilon(1e-2));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Set pieces and the benches of motion, each in one tiny run.
 #include <catch2/catch.hpp>
 
+#include "modules/bench/motion/cost_bench.h"
 #include "modules/bench/motion/dynamic_bench.h"
 #include "modules/bench/motion/dynamic_drive.h"
 #include "modules/bench/motion/margins_bench.h"
@@ -84,7 +85,7 @@ TEST_CASE("bench motion") {
   options.drives = 2;
   options.presets = {"none"};
   CHECK(run_motion(options, bench.run) == 0);
-  CHECK(bench.rows("motion_free") == 3);
+  CHECK(bench.rows("motion_free") == 4);
   CHECK(bench.rows("motion_standing") == 1);
   CHECK(bench.has_plot("motion"));
 }
@@ -127,6 +128,14 @@ TEST_CASE("bench margins") {
   CHECK(run_margins(options, bench.run) == 0);
   CHECK(bench.rows("margins") >= 8);
   CHECK(bench.has_plot("margins"));
+}
+
+TEST_CASE("bench cost") {
+  const BenchRun bench;
+  CostOptions options;
+  options.minutes = 0.05;
+  CHECK(run_cost(options, bench.run) == 0);
+  CHECK(bench.rows("cost") >= 1);
 }
 
 }  // namespace

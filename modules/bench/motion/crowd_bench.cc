@@ -1,10 +1,9 @@
 #include "modules/bench/motion/crowd_bench.h"
 
 #include <cmath>
-#include <map>
 
 #include "modules/bench/bench.h"
-#include "modules/bench/motion/crowd_run.h"
+#include "modules/bench/motion/crowd_report.h"
 #include "modules/bench/motion/parallel.h"
 #include "planning/uniform.h"
 
@@ -14,13 +13,8 @@ namespace {
 /// A game's minutes are played in pieces, each from the formation and with seeds of its own: for the threads.
 constexpr double kPiece_min = 2.0;
 
-struct Row {
-  CrowdGame game;
-  CrowdScore score;
-};
-
-std::vector<Row> rows_of(const CrowdOptions& options) {
-  std::vector<Row> rows;
+std::vector<CrowdRow> rows_of(const CrowdOptions& options) {
+  std::vector<CrowdRow> rows;
   for (const std::string& division : options.fields) {
     for (const std::string& preset : options.presets) {
       for (const std::string& opponents : options.opponents) {
@@ -33,157 +27,31 @@ std::vector<Row> rows_of(const CrowdOptions& options) {
 }
 
 /// All rows see the same seeds, so that they compare.
-void play(std::vector<Row>& rows, const CrowdOptions& options, std::uint64_t seed) {
+void play(std::vector<CrowdRow>& rows, const CrowdOptions& options, std::uint64_t seed) {
   const auto pieces = static_cast<std::size_t>(std::ceil(options.minutes / kPiece_min));
   const double piece_min = options.minutes / static_cast<double>(pieces);
   std::vector<CrowdScore> scores(rows.size() * pieces);
   in_parallel("crowd", scores.size(), options.jobs, [&](std::size_t i) {
-    const std::uint64_t piece_seed = mixed(mixed(seed, static_cast<std::uint64_t>(options.seeds)), i % pieces);
+    const std::uint64_t piece_seed = mixed(seed_of(options.seeds, seed), i % pieces);
     scores[i] = play_crowd(rows[i / pieces].game, options.system, piece_min, piece_seed);
   });
   for (std::size_t i = 0; i < scores.size(); ++i) rows[i / pieces].score += scores[i];
 }
 
-/// The pass-through row of the same field and preset; nullptr where it was not played.
-const Row* free_of(const std::vector<Row>& rows, const CrowdGame& game) {
-  for (const Row& row : rows) {
-    const bool same = row.game.division == game.division && row.game.preset == game.preset;
-    if (same && row.game.opponents == Opponents::none) return &row;
-  }
-  return nullptr;
-}
-
-std::vector<Cell> game_cells(const CrowdGame& game) { return {game.division, game.preset, name(game.opponents)}; }
-
-std::string how(const CrowdOptions& options) {
-  std::string text = "driven by " + (options.system.planner.empty() ? "the default planner" : options.system.planner);
-  if (!options.system.safety.empty()) text += ", safety " + options.system.safety;
-  for (const std::string& setting : options.system.settings) text += ", " + setting;
-  return text + (options.seeds == SeedSet::tuning ? "; tuning seeds" : "; reporting seeds");
-}
-
-Table score_table(const std::vector<Row>& rows, const CrowdOptions& options) {
-  Table table{"crowd: our 11 to random targets among 11 opponents",
-              {{"field"},
-               {"preset"},
-               {"opponents"},
-               {"minutes"},
-               {"reached", "1/min"},
-               {"of pass-through", "%"},
-               {"own contacts"},
-               {"own", "1/robot-min"},
-               {"of these pushed", "1/robot-min"},
-               {"own touching", "s/robot-min"},
-               {"with opponents", "1/robot-min"},
-               {"our fault", "1/robot-min"}}};
-  for (const auto& [game, score] : rows) {
-    const Row* free = free_of(rows, game);
-    const ContactTally& contacts = score.contacts;
-    const auto rate = [&score](auto count) { return score.per_robot_minute(static_cast<double>(count)); };
-    std::vector<Cell> cells = game_cells(game);
-    cells.insert(cells.end(),
-                 {score.minutes, score.pace(), Cell(), contacts.own, rate(contacts.own), rate(contacts.own_pushed),
-                  rate(contacts.own_touching_s), rate(contacts.opponent), rate(contacts.at_fault)});
-    if (free != nullptr && free->score.reached > 0) cells[5] = 100.0 * score.pace() / free->score.pace();
-    table.add(cells);
-  }
-  table.notes = {how(options),
-                 "opponents: system as we are; random: straight to random targets at up to 2 m/s, avoiding nobody; "
-                 "chaser: to our nearest robot at 3 m/s; none: our robots pass through each other",
-                 "pushed: within 1 s after an opponent touched one of the two; fault by the crash rule"};
-  return table;
-}
-
-Table cost_table(const std::vector<Row>& rows) {
-  Table table{"crowd: time of a tick of our team of 11 among 22",
-              {{"field"},
-               {"preset"},
-               {"opponents"},
-               {"ticks"},
-               {"planning mean", "us"},
-               {"p99", "us"},
-               {"control mean", "us"},
-               {"p99 of it", "us"},
-               {"simulated", "x real time"}}};
-  for (const auto& [game, score] : rows) {
-    if (score.times.empty()) continue;
-    std::vector<double> planning, control;
-    for (const DriveTime& time : score.times) {
-      planning.push_back(time.planning_us);
-      control.push_back(time.control_us);
-    }
-    const Summary plan = summarise(std::move(planning));
-    const Summary act = summarise(std::move(control));
-    std::vector<Cell> cells = game_cells(game);
-    cells.insert(cells.end(),
-                 {count_cell(plan.count), plan.mean, plan.p99, act.mean, act.p99, 60.0 * score.minutes / score.cpu_s});
-    table.add(cells);
-  }
-  table.notes = {
-      "single shots of the whole team, time of the core it runs on; simulated: likewise, both teams and all"};
-  return table;
-}
-
-/// One value of every game as bars: a group per preset, a bar per opponents.
-Plot bars(const std::string& title, const Axis& y, const std::vector<Row>& rows, const CrowdOptions& options,
-          const std::string& division, double (*value)(const Row& row, const Row* free)) {
-  std::string label = "preset:";
-  std::map<std::string, double> place;
-  for (const std::string& preset : options.presets) {
-    const double x = place.try_emplace(preset, static_cast<double>(place.size()) + 1.0).first->second;
-    label += " " + std::to_string(std::lround(x)) + " " + preset;
-  }
-  Plot plot{title + ", division " + division, {label}, y};
-  std::map<Opponents, Series> series;
-  for (const Row& row : rows) {
-    if (row.game.division != division || row.game.opponents == Opponents::none) continue;
-    Series& one =
-        series.try_emplace(row.game.opponents, Series{name(row.game.opponents), {}, Series::Style::bars}).first->second;
-    one.points.push_back({place.at(row.game.preset), value(row, free_of(rows, row.game))});
-  }
-  for (auto& [opponents, one] : series) plot.series.push_back(std::move(one));
-  plot.x.low = 0.5;
-  plot.x.high = static_cast<double>(place.size()) + 0.5;
-  plot.y.low = 0.0;
-  const auto is_zero = [](const PlotPoint& point) { return point.y == 0.0; };
-  const bool flat = std::all_of(plot.series.begin(), plot.series.end(), [&](const Series& one) {
-    return std::all_of(one.points.begin(), one.points.end(), is_zero);
-  });
-  if (flat) plot.y.high = 1.0;  // gnuplot draws no axis from 0 to 0
-  return plot;
-}
-
-void add_plots(Report& report, const std::vector<Row>& rows, const CrowdOptions& options) {
-  for (const std::string& division : options.fields) {
-    if (options.opponents.empty()) return;
-    report.add("crowd_own_" + division,
-               bars("contacts among our own", {"contacts", "1/robot-min"}, rows, options, division,
-                    [](const Row& row, const Row*) {
-                      return row.score.per_robot_minute(static_cast<double>(row.score.contacts.own));
-                    }));
-    if (!options.pass_through) continue;
-    report.add("crowd_pace_" + division, bars("targets reached, of pass-through", {"share", "%"}, rows, options,
-                                              division, [](const Row& row, const Row* free) {
-                                                const double most = free->score.pace();
-                                                return most > 0.0 ? 100.0 * row.score.pace() / most : 0.0;
-                                              }));
-  }
-}
-
 }  // namespace
 
 int run_crowd(const CrowdOptions& options, const Run& run) {
-  std::vector<Row> rows = rows_of(options);
+  std::vector<CrowdRow> rows = rows_of(options);
   Report report(run);
   play(rows, options, run.seed);
   Checker checker;
-  for (const Row& row : rows) {
+  for (const CrowdRow& row : rows) {
     for (const Violation& violation : row.score.violations) checker.add_fault(row.game.preset, to_string(violation));
   }
-  report.add("crowd", score_table(rows, options));
-  const Table cost = cost_table(rows);
+  report.add("crowd", crowd_scores(rows, options));
+  const Table cost = crowd_costs(rows);
   if (!cost.rows.empty()) report.add("crowd_cost", cost);
-  add_plots(report, rows, options);
+  add_crowd_plots(report, rows, options);
   return report.finish(checker);
 }
 

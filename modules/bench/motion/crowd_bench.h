@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "modules/bench/motion/loop_config.h"
+#include "modules/bench/motion/seed_set.h"
 #include "modules/bench/record.h"
 
 namespace regista::bench {
-
-/// Which seeds a bench draws: parameters are chosen on tuning ones and reported on others.
-enum class SeedSet : std::uint64_t { tuning, reporting };
 
 struct CrowdOptions {
   double minutes = 10.0;  ///< simulated, per field, preset and opponents

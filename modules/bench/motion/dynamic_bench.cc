@@ -152,7 +152,7 @@ Plot histogram(const std::vector<Row>& rows, const std::string& preset, const st
 int run_dynamic(const DynamicOptions& options, const Run& run) {
   Report report(run);
   std::vector<Row> rows = rows_of(options);
-  drive(rows, options, mixed(run.seed, static_cast<std::uint64_t>(options.seeds)));
+  drive(rows, options, seed_of(options.seeds, run.seed));
   for (const std::string& preset : options.presets) {
     for (const Quantity& quantity : kQuantities) add_quantity(report, quantity, preset, rows);
     for (std::size_t i = 0; i < kDynamicScenarios.size(); ++i) {

@@ -149,7 +149,7 @@ Plot plot_of(const std::vector<Row>& rows, double minutes) {
 int run_margins(const MarginsOptions& options, const Run& run) {
   Report report(run);
   std::vector<Row> rows = rows_of(options);
-  play_all(rows, options, mixed(run.seed, static_cast<std::uint64_t>(options.seeds)));
+  play_all(rows, options, seed_of(options.seeds, run.seed));
   report.add("margins", table_of(rows, options.minutes));
   report.add("margins", plot_of(rows, options.minutes));
   return report.finish(Checker());

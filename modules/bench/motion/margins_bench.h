@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "modules/bench/motion/crowd_bench.h"
+#include "modules/bench/motion/loop_config.h"
+#include "modules/bench/motion/seed_set.h"
+#include "modules/bench/record.h"
 
 namespace regista::bench {
 

@@ -52,7 +52,7 @@ void play(std::vector<Played>& all, const SwapOptions& options, std::uint64_t se
   in_parallel("swap", all.size() * options.runs, options.jobs, [&](std::size_t i) {
     Played& played = all[i / options.runs];
     const std::size_t number = i % options.runs;
-    const std::uint64_t run_seed = mixed(mixed(seed, static_cast<std::uint64_t>(options.seeds)), number);
+    const std::uint64_t run_seed = mixed(seed_of(options.seeds, seed), number);
     played.runs[number] = number == 0 ? play_recorded(played, options, run_seed)
                                       : play_scene(played.scene, options.system, options.preset, run_seed);
   });
