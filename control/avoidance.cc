@@ -13,7 +13,7 @@ SafetyMode safety_mode(const std::string& name) {
   throw std::invalid_argument("safety.mode must be none, published or team, not '" + name + "'");
 }
 
-const std::vector<SafeChoice>& Avoidance::choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
+const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                            std::span<const Opponent> opponents, const Surroundings& around,
                                            const ControlParams& params, double period_s) {
   const SafetyMode mode = safety_mode(params.safety.mode);
@@ -24,9 +24,9 @@ const std::vector<SafeChoice>& Avoidance::choose(std::span<SafetyRobot> team, st
     return chosen_;
   }
   for (std::size_t i = 0; i < team.size(); ++i) {
-    chosen_.push_back({mode == SafetyMode::none
-                           ? team[i].wanted_mps
-                           : published_choice(team, i, opponents, params.limits, params.safety, period_s)});
+    chosen_.push_back(mode == SafetyMode::none
+                          ? team[i].wanted_mps
+                          : published_choice(team, i, opponents, params.limits, params.safety, period_s));
   }
   return chosen_;
 }

@@ -17,9 +17,9 @@ SafetyMode safety_mode(const std::string& name);
 
 class Avoidance {
  public:
-  /// One choice for the next period_s per robot; those of mode none are the wanted ones and need not be reachable.
+  /// Velocities after period_s, one per robot; those of mode none are the wanted ones and need not be reachable.
   /// `arrivals_s`: when each robot would stand at its goal. Valid until the next call.
-  const std::vector<SafeChoice>& choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
+  const std::vector<Vec2>& choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                         std::span<const Opponent> opponents, const Surroundings& around,
                                         const ControlParams& params, double period_s);
 
@@ -29,7 +29,7 @@ class Avoidance {
 
   SafetySearch search_;
   std::vector<Neighbour> neighbours_;
-  std::vector<SafeChoice> chosen_;
+  std::vector<Vec2> chosen_;
 };
 
 }  // namespace regista

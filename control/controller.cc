@@ -106,9 +106,8 @@ Controller::Told Controller::present_motion(const RobotState& robot) const {
   // Drawing must not make a command faster than the robot may be; one that is because its limit was lowered slows down.
   const double speed_cap = std::max(speed_max, told.velocity_mps.norm());
   const double rate_cap = std::max(rate_max, std::abs(told.angular_radps));
-  Told motion{told, robot.pose.heading_rad, last->second.hold_s};
+  Told motion{told, robot.pose.heading_rad};
   if (error.norm() > params_.plausible_speed_error_mps) {
-    motion.hold_s = 0.0;
     motion.twist.velocity_mps =
         clamped_norm(robot.twist.velocity_mps + clamped_norm(error, params_.plausible_speed_error_mps), speed_cap);
   }
@@ -155,8 +154,7 @@ Controller::Intent Controller::intent_of(const RobotState& robot, const RobotPla
   Intent intent;
   intent.told = present_motion(robot);
   const Pose pose = after_lag(robot, params_.drive_lag_s);
-  intent.robot = {pose.position_m, intent.told.twist.velocity_mps, Vec2::Zero(), intent.told.hold_s,
-                  params_.limits.speed_max_mps};
+  intent.robot = {pose.position_m, intent.told.twist.velocity_mps, Vec2::Zero(), params_.limits.speed_max_mps};
   const bool seen = to_seconds(robot.age) <= params_.unseen_deadline_s;
   if (!seen || plan == nullptr || !can_be_driven(*plan)) return intent;
   RobotLimits limits = params_.limits;
@@ -207,15 +205,14 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
     robots.push_back(intents.back().robot);
     arrivals_s.push_back(intents.back().arrival_s);
   }
-  const std::vector<SafeChoice>& chosen =
+  const std::vector<Vec2>& chosen_mps =
       avoidance_.choose(robots, arrivals_s, opponents_in(world, period_s), around, params_, period_s);
 
   TeamCommands out = begin(&world);
   last_.clear();
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     Told& told = intents[i].told;
-    out.commands.push_back(command(numbers[i], told, {chosen[i].velocity_mps, intents[i].rate_radps}, period_s));
-    told.hold_s = chosen[i].hold_s;
+    out.commands.push_back(command(numbers[i], told, {chosen_mps[i], intents[i].rate_radps}, period_s));
     last_.emplace_hint(last_.end(), numbers[i], told);
   }
   return out;
@@ -227,7 +224,6 @@ TeamCommands Controller::brake(const WorldState* last_world, double dt_s) {
   for (auto& [robot, motion] : last_) {
     // Nobody sees the robot: it has turned as it was told.
     motion.heading_rad = wrap_angle(motion.heading_rad + motion.twist.angular_radps * period_s);
-    motion.hold_s = 0.0;
     out.commands.push_back(command(robot, motion, Twist{}, period_s));
   }
   return out;

@@ -45,7 +45,6 @@ class Controller {
   struct Told {
     Twist twist;
     double heading_rad = 0.0;  ///< where it looked when the command began to act
-    double hold_s = 0.0;       ///< promised to team-mates: to hold that velocity for so long before braking
   };
 
   /// What one robot wants, and what is known of it.

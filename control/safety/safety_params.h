@@ -21,8 +21,9 @@ struct SafetyParams {
   /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
   /// bought nothing.
   std::int64_t directions = 16;
-  /// What is promised before braking. The longer, the earlier conflicts show, while they are cheap to avoid, and the more
-  /// room is kept for nothing: 0.1 s drives 6 % more targets than 0, and more than 0.3 s.
+  /// Team-mates are also expected to hold their velocities for so long before they brake, and kept clear of where that
+  /// is possible. The longer, the earlier conflicts show, while they are cheap to avoid, and the more room is kept for
+  /// nothing.
   double hold_s = 0.1;
   bool operator==(const SafetyParams&) const = default;
 
@@ -35,7 +36,7 @@ struct SafetyParams {
     v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");
     v("horizon_s", self.horizon_s, Range{0.01, 10.0}, "s", "opponents are predicted so far");
     v("directions", self.directions, Range{1.0, 360.0}, "", "of sampled accelerations, three magnitudes each");
-    v("hold_s", self.hold_s, Range{0.0, 2.0}, "s", "a velocity is promised to be held so long before braking");
+    v("hold_s", self.hold_s, Range{0.0, 2.0}, "s", "where possible, team-mates are kept clear of for so long before braking");
   }
 };
 

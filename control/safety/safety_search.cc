@@ -15,9 +15,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Two that are already nearer than they should be must at least come no nearer; less than this is no way. Metres.
 constexpr double kStill_m = 1e-9;
 
-/// What rounding leaves of a time that is used up.
-constexpr double kStill_s = 1e-9;
-
 /// Parts of the largest acceleration that are sampled.
 constexpr std::array kMagnitudes{1.0, 2.0 / 3.0, 1.0 / 3.0};
 
@@ -29,7 +26,7 @@ double attainable(double wanted_m, const Vec2& a, const Vec2& b) {
 
 void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opponent> opponents,
                           const Surroundings& around, const RobotLimits& limits, const SafetyParams& params,
-                          double period_s, std::vector<SafeChoice>& chosen) {
+                          double period_s, std::vector<Vec2>& chosen_mps) {
   team_ = team;
   around_ = &around;
   limits_ = &limits;
@@ -37,12 +34,14 @@ void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opp
   period_s_ = period_s;
   predict(opponents);
   promised_.clear();
+  expected_.clear();
   for (const SafetyRobot& robot : team) {
-    promised_.push_back(
-        braking(robot.position_m, robot.velocity_mps, robot.hold_s, limits.braking_max_mps2, period_s));
+    for (auto [motions, hold_s] : {std::pair{&promised_, 0.0}, std::pair{&expected_, params.hold_s}}) {
+      motions->push_back(braking(robot.position_m, robot.velocity_mps, hold_s, limits.braking_max_mps2, period_s));
+    }
   }
-  chosen.clear();
-  for (std::size_t i = 0; i < team.size(); ++i) chosen.push_back(choose_for(i));
+  chosen_mps.clear();
+  for (std::size_t i = 0; i < team.size(); ++i) chosen_mps.push_back(choose_for(i));
 }
 
 void SafetySearch::predict(std::span<const Opponent> opponents) {
@@ -61,10 +60,9 @@ void SafetySearch::predict(std::span<const Opponent> opponents) {
   }
 }
 
-Motion SafetySearch::motion_of(std::size_t robot, const SafeChoice& choice) const {
+Motion SafetySearch::motion_to(std::size_t robot, const Vec2& next_mps, double hold_s) const {
   const SafetyRobot& self = team_[robot];
-  return manoeuvre(self.position_m, self.velocity_mps, choice.velocity_mps, choice.hold_s, limits_->braking_max_mps2,
-                   period_s_);
+  return manoeuvre(self.position_m, self.velocity_mps, next_mps, hold_s, limits_->braking_max_mps2, period_s_);
 }
 
 /// All that can be reached in a period and is tried, nearest to the wanted velocity first.
@@ -94,23 +92,19 @@ void SafetySearch::sample(const SafetyRobot& robot) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
-SafeChoice SafetySearch::choose_for(std::size_t robot) {
+Vec2 SafetySearch::choose_for(std::size_t robot) {
   const SafetyRobot& self = team_[robot];
-  SafeChoice chosen;
-  Motion promise;
+  Vec2 chosen = Vec2::Zero();
   Safety best = Safety::none;
   const auto consider = [&](const Vec2& next_mps) {
-    for (const double hold_s : {params_->hold_s, 0.0}) {
-      const SafeChoice choice{next_mps, hold_s};
-      const Motion motion = motion_of(robot, choice);
-      const Safety safety = safety_of(robot, next_mps, motion);
-      if (safety <= best) continue;
+    const Motion motion = motion_to(robot, next_mps, 0.0);
+    const Safety safety = safety_of(robot, next_mps, motion);
+    if (safety > best) {
       best = safety;
-      chosen = choice;
-      promise = motion;
-      if (best == Safety::opponents_predicted) return true;
+      chosen = next_mps;
+      promised_candidate_ = motion;
     }
-    return false;
+    return best == Safety::ahead;
   };
   const Vec2 wanted = limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_,
                                        period_s_);
@@ -120,35 +114,32 @@ SafeChoice SafetySearch::choose_for(std::size_t robot) {
       if (consider(next_mps)) break;
     }
   }
-  // Whoever would touch an opponent even if that one brakes can do no better than brake.
+  // Not even against opponents that brake: nothing is better than braking, and braking is always left.
   if (best < Safety::opponents_brake) {
-    best = Safety::none;
-    consider(limited_velocity(self.velocity_mps, Vec2::Zero(), *limits_, period_s_));
-    if (best == Safety::none) return keep_promise(robot);
+    const Motion& promise = promised_[robot];
+    expected_[robot] = promise;
+    return promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero());
   }
-  promised_[robot] = promise;
+  promised_[robot] = promised_candidate_;
+  expected_[robot] = motion_to(robot, chosen, params_->hold_s);
   return chosen;
 }
 
-SafeChoice SafetySearch::keep_promise(std::size_t robot) const {
-  const SafetyRobot& self = team_[robot];
-  if (self.hold_s > kStill_s) return {self.velocity_mps, std::max(0.0, self.hold_s - period_s_)};
-  const Motion& promise = promised_[robot];
-  return {promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero()), 0.0};
-}
-
 SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
-  if (!is_clear_of_team(robot, motion) || !is_clear_of_shapes(robot, motion)) return Safety::none;
+  if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return Safety::none;
   if (!is_clear_of_braking_opponents(robot, motion)) return Safety::team;
-  return is_clear_of_predicted(robot, next_mps, motion) ? Safety::opponents_predicted : Safety::opponents_brake;
+  if (!is_clear_of_predicted(robot, next_mps, motion)) return Safety::opponents_brake;
+  if (params_->hold_s <= 0.0) return Safety::ahead;
+  return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
+                                                                                        : Safety::opponents_predicted;
 }
 
-bool SafetySearch::is_clear_of_team(std::size_t robot, const Motion& motion) const {
+bool SafetySearch::is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const {
   const double wanted_m = 2.0 * limits_->radius_m + params_->team_margin_m;
   for (std::size_t other = 0; other < team_.size(); ++other) {
     if (other == robot) continue;
     const double gap_m = attainable(wanted_m, team_[robot].position_m, team_[other].position_m);
-    if (!keep_apart(motion, promised_[other], {gap_m}, kNever)) return false;
+    if (!keep_apart(motion, others[other], {gap_m}, kNever)) return false;
   }
   return true;
 }
