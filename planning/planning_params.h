@@ -19,10 +19,9 @@ struct PlanningParams {
   double wall_margin_m = 0.005;            ///< between a body and the goals' walls
   double stretch_horizon_s = 0.0;          ///< moving robots become capsules this far along their velocity; 0: discs
   double stretch_max_m = 1.0;              ///< cap of that length
-  /// Others are planned around where they will be at the nearest approach: what resolves most deadlocks. Team-mates are
-  /// expected along their last paths so far ahead; 0: everybody where he is, and the whole team shares one graph.
-  double route_horizon_s = 1.0;
-  double prediction_horizon_s = 0.5;  ///< others straight on for so long; later they turn or brake
+  /// Others are planned around where they will be at the nearest approach, at most so far ahead: what resolves most
+  /// deadlocks. 0: where they are, and the whole team shares one graph.
+  double prediction_horizon_s = 0.5;
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
@@ -54,10 +53,8 @@ struct PlanningParams {
     v("stretch_horizon_s", self.stretch_horizon_s, Range{0.0, 2.0}, "s",
       "moving robots are stretched this far along their velocity; 0: not");
     v("stretch_max_m", self.stretch_max_m, Range{0.0, 5.0}, "m", "longest stretch of a moving robot");
-    v("route_horizon_s", self.route_horizon_s, Range{0.0, 5.0}, "s",
-      "robots are expected where they will be at the nearest approach, at most so far ahead; 0: where they are");
     v("prediction_horizon_s", self.prediction_horizon_s, Range{0.0, 5.0}, "s",
-      "robots whose paths are not known drive straight on for so long");
+      "robots are expected where they will be at the nearest approach, at most so far ahead; 0: where they are");
     v("growth_radius_max_m", self.growth_radius_max_m, Range{0.0, 10.0}, "m",
       "robots grow with their distance from the goal, up to this radius (own body and margin included); 0: not");
     v("growth", self.growth, Range{0.0, 1.0}, "", "radius gained per distance from the goal");

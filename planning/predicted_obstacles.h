@@ -2,37 +2,21 @@
 // that crosses in front is gone by then, and two that come towards each other both see where they will meet.
 #pragma once
 
-#include <map>
 #include <span>
 #include <vector>
 
 #include "planning/obstacle.h"
-#include "planning/planning_params.h"
-#include "planning/route.h"
-#include "planning/targets.h"
 #include "world_model/types/world_state.h"
 
 namespace regista {
 
-/// Paths by robot number.
-using TeamPaths = std::map<std::uint16_t, std::vector<Vec2>>;
+/// Seconds until two points that keep their velocities are nearest, in [0, horizon_s]; 0 for no relative motion.
+double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s);
 
-class Prediction {
- public:
-  /// Everybody's route in that world: team-mates with a target along `paths`, as far as those lead to it, else straight
-  /// to it; all others straight on with their velocities for prediction_horizon_s. Values are finite.
-  void look(Team team, const WorldState& world, const Targets& targets, const TeamPaths& paths,
-            const PlanningParams& params);
-
-  /// `out` becomes the obstacles as robot `self` of that world meets them on its way to the goal: obstacle
-  /// i < world.robots.size() belongs to robot i and is moved to the nearest approach of both routes; then it shrinks as
-  /// far as it would cover the robot itself, or the goal without having covered it unmoved.
-  void predict(std::span<const Obstacle> obstacles, std::size_t self, const Vec2& goal,
-               std::vector<Obstacle>& out) const;
-
- private:
-  std::vector<Route> routes_;  ///< by robot of the world
-  std::vector<Vec2> path_;
-};
+/// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i and is
+/// moved along its velocity to the nearest approach, at most horizon_s ahead; then it shrinks as far as it would cover
+/// the start, or the goal without having covered it unmoved. Values are finite, horizon_s >= 0.
+void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
+             double horizon_s, std::vector<Obstacle>& out);
 
 }  // namespace regista

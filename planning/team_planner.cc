@@ -5,6 +5,7 @@
 #include <string>
 
 #include "planning/obstacle_growth.h"
+#include "planning/predicted_obstacles.h"
 #include "planning/uniform.h"
 
 namespace regista {
@@ -54,7 +55,6 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
   captured_ = world.captured;
   world_sequence_ = world.sequence;
   const std::int64_t robot_budget_ns = stopwatch != nullptr ? budget_ns(targets.targets.size()) : 0;
-  if (params_.route_horizon_s > 0.0) prediction_.look(team_, world, targets, previous_paths_, params_);
   TeamPlans out;
   for (const Target& target : targets.targets) {
     const RobotState* robot = find_robot(world, {team_, target.robot});
@@ -107,9 +107,8 @@ Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const WorldState& w
 Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
                              const PlanRequest& request) {
   const std::size_t robots = obstacles.robots.size();
-  if (params_.route_horizon_s <= 0.0 || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
-  prediction_.predict(graph_.field().obstacles(), static_cast<std::size_t>(&robot - world.robots.data()), request.goal,
-                      predicted_);
+  if (params_.prediction_horizon_s <= 0.0 || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
+  predict(graph_.field().obstacles(), world, robot, request.goal, params_.prediction_horizon_s, predicted_);
   own_graph_.reset(graph_.field().bounds(), predicted_);
   Plan plan = plan_in_field(own_graph_, robots, request);
   // What is expected may leave no way where today's places do.

@@ -2,12 +2,12 @@
 // planner can be exchanged between two frames; the graph belongs to the frame, so nothing is lost.
 #pragma once
 
+#include <map>
 #include <memory>
 
 #include "planning/graph/graph_picture.h"
 #include "planning/obstacle_rules.h"
 #include "planning/plan.h"
-#include "planning/predicted_obstacles.h"
 #include "planning/registry.h"
 #include "planning/side_keeping.h"
 
@@ -62,14 +62,13 @@ class TeamPlanner {
   std::uint64_t generation_ = 0;
   graph::SharedGraph graph_;
   graph::SharedGraph own_graph_;    ///< of one robot, to which the others' nearest approach decides where they are
-  Prediction prediction_;
   std::vector<Obstacle> predicted_;
   graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
   std::vector<Obstacle> grown_;
   SideKeeper side_keeper_;
   Time captured_{};
   std::uint64_t world_sequence_ = 0;
-  TeamPaths previous_paths_;
+  std::map<std::uint16_t, std::vector<Vec2>> previous_paths_;
 };
 
 }  // namespace regista

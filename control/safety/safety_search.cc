@@ -130,9 +130,8 @@ SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next
   if (!is_clear_of_braking_opponents(robot, motion)) return Safety::team;
   if (!is_clear_of_predicted(robot, next_mps, motion)) return Safety::opponents_brake;
   if (params_->hold_s <= 0.0) return Safety::ahead;
-  const Motion later = motion_to(robot, next_mps, params_->hold_s);
-  const bool is_clear = is_clear_of_team(robot, later, expected_) && is_clear_of_braking_opponents(robot, later);
-  return is_clear ? Safety::ahead : Safety::opponents_predicted;
+  return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
+                                                                                        : Safety::opponents_predicted;
 }
 
 bool SafetySearch::is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const {
