@@ -79,10 +79,11 @@ Twist wanted_twist(const RobotPlan& plan, const RobotState& robot, const Twist& 
 
 }  // namespace
 
-Controller::Controller(Team team, const ControlParams& params) : team_(team), params_(params), wheels_(params.wheels) {}
+Controller::Controller(Team team, const ControlParams& params)
+    : team_(team), params_(params), wheels_(params.wheels, params.robot_wheels) {}
 
 void Controller::set_params(const ControlParams& params) {
-  wheels_ = OmniWheels(params.wheels);
+  wheels_ = TeamWheels(params.wheels, params.robot_wheels);
   params_ = params;
 }
 
@@ -128,8 +129,9 @@ RobotCommand Controller::command(std::uint16_t robot, Motion& motion, const Twis
   RobotCommand out;
   out.robot = robot;
   out.velocity = to_body(twist, mean_heading_rad);
-  out.wheel_speeds_radps = wheels_.speeds(out.velocity);
-  const double scale = wheels_.scale_to_limit(out.wheel_speeds_radps);
+  const OmniWheels& wheels = wheels_.of(robot);
+  out.wheel_speeds_radps = wheels.speeds(out.velocity);
+  const double scale = wheels.scale_to_limit(out.wheel_speeds_radps);
   if (scale < 1.0) {
     twist = {scale * twist.velocity_mps, scale * twist.angular_radps};
     out.velocity = to_body(twist, mean_heading_rad);

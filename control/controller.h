@@ -7,6 +7,7 @@
 #include <span>
 
 #include "control/control_params.h"
+#include "control/team_wheels.h"
 #include "control/velocity_command.h"
 #include "planning/plan.h"
 #include "world_model/types/world_state.h"
@@ -49,7 +50,7 @@ class Controller {
 
   Team team_;
   ControlParams params_;
-  OmniWheels wheels_;
+  TeamWheels wheels_;
   std::uint64_t sequence_ = 0;
   std::map<std::uint16_t, Motion> last_;  ///< by robot number
 };
