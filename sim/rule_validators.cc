@@ -1,6 +1,7 @@
 #include "sim/rule_validators.h"
 
 #include <cmath>
+#include <map>
 
 #include "world_model/types/field_side.h"
 
@@ -16,17 +17,29 @@ constexpr double kStill_mps = 1e-3;  // the simulator brakes to an exact stop, v
 /// What is measured of a robot, and the bound it must keep.
 using Measure = std::function<std::optional<double>(const RobotState&, const WorldState&)>;
 
-/// From the grace's end on, every robot's measure is at least (or at most) the bound.
-Validator after_grace(std::string name, double bound, bool at_least, std::string unit, Measure measure) {
+/// The bound, and whether a measure is to be at least or at most that.
+struct Bound {
+  double value = 0.0;
+  bool at_least = true;
+  const char* unit = "";
+  bool holds(std::optional<double> measured) const {
+    return !measured || (at_least ? *measured >= value : *measured <= value);
+  }
+};
+
+/// Every robot's measure keeps the bound, but for the grace.
+Validator kept(std::string name, const Bound& bound, Grace grace, Measure measure) {
   return {std::move(name), Validator::When::always,
-          [bound, at_least, unit = std::move(unit), measure = std::move(measure),
-           began = std::optional<Time>()](const Observation& seen) mutable -> std::optional<Violation> {
-            if (!began) began = seen.truth.captured;
-            if (seen.truth.captured - *began < kRuleGrace) return std::nullopt;
+          [bound, grace, measure = std::move(measure), began = std::optional<Time>(),
+           kept_at = std::map<RobotId, Time>()](const Observation& seen) mutable -> std::optional<Violation> {
+            const Time now = seen.truth.captured;
+            if (!began) began = now;
             for (const RobotState& robot : seen.truth.robots) {
               const std::optional<double> value = measure(robot, seen.truth);
-              const bool kept = !value || (at_least ? *value >= bound : *value <= bound);
-              if (!kept) return Violation{"", Time{}, robot.id, *value, bound, unit};
+              Time& last_kept = kept_at.try_emplace(robot.id, *began).first->second;
+              if (grace == Grace::each_stay && bound.holds(value)) last_kept = now;
+              if (now - last_kept < kRuleGrace || bound.holds(value)) continue;
+              return Violation{"", Time{}, robot.id, *value, bound.value, bound.unit};
             }
             return std::nullopt;
           }};
@@ -44,27 +57,26 @@ double area_distance(const Vec2& place_m, double side, const FieldGeometry& fiel
 }  // namespace
 
 Validator stop_speed_kept() {
-  return after_grace("speed in stop", kStopSpeed_mps, false, "m/s",
-                     [](const RobotState& robot, const WorldState&) { return speed(robot); });
+  return kept("speed in stop", {kStopSpeed_mps, false, "m/s"}, Grace::at_first,
+              [](const RobotState& robot, const WorldState&) { return speed(robot); });
 }
 
 Validator halt_kept() {
-  return after_grace("standing at halt", kStill_mps, false, "m/s",
-                     [](const RobotState& robot, const WorldState&) { return speed(robot); });
+  return kept("standing at halt", {kStill_mps, false, "m/s"}, Grace::at_first,
+              [](const RobotState& robot, const WorldState&) { return speed(robot); });
 }
 
-Validator ball_distance_kept(std::optional<Team> exempt, double robot_radius_m) {
-  return after_grace(
-      "distance from the ball", kBallDistance_m, true, "m",
-      [exempt, robot_radius_m](const RobotState& robot, const WorldState& world) -> std::optional<double> {
-        if (!world.ball || robot.id.team == exempt) return std::nullopt;
-        return (robot.pose.position_m - world.ball->position_m).norm() - robot_radius_m - kBallRadius_m;
-      });
+Validator ball_distance_kept(std::optional<Team> exempt, double robot_radius_m, Grace grace) {
+  return kept("distance from the ball", {kBallDistance_m, true, "m"}, grace,
+              [exempt, robot_radius_m](const RobotState& robot, const WorldState& world) -> std::optional<double> {
+                if (!world.ball || robot.id.team == exempt) return std::nullopt;
+                return (robot.pose.position_m - world.ball->position_m).norm() - robot_radius_m - kBallRadius_m;
+              });
 }
 
-Validator placement_kept(std::optional<Team> placing, const Vec2& place_m, double robot_radius_m) {
-  return after_grace(
-      "distance from the placement", kBallDistance_m, true, "m",
+Validator placement_kept(std::optional<Team> placing, const Vec2& place_m, double robot_radius_m, Grace grace) {
+  return kept(
+      "distance from the placement", {kBallDistance_m, true, "m"}, grace,
       [placing, place_m, robot_radius_m](const RobotState& robot, const WorldState& world) -> std::optional<double> {
         if (!world.ball || robot.id.team == placing) return std::nullopt;
         const Vec2& centre_m = robot.pose.position_m;
@@ -72,12 +84,12 @@ Validator placement_kept(std::optional<Team> placing, const Vec2& place_m, doubl
       });
 }
 
-Validator area_distance_kept(const FieldGeometry& field, double robot_radius_m) {
-  return after_grace("distance from the opponent's area", kAreaDistance_m, true, "m",
-                     [field, robot_radius_m](const RobotState& robot, const WorldState&) {
-                       const double side = defends_negative_x(robot.id.team, field) ? 1.0 : -1.0;
-                       return area_distance(robot.pose.position_m, side, field, robot_radius_m);
-                     });
+Validator area_distance_kept(const FieldGeometry& field, double robot_radius_m, Grace grace) {
+  return kept("distance from the opponent's area", {kAreaDistance_m, true, "m"}, grace,
+              [field, robot_radius_m](const RobotState& robot, const WorldState&) {
+                const double side = defends_negative_x(robot.id.team, field) ? 1.0 : -1.0;
+                return area_distance(robot.pose.position_m, side, field, robot_radius_m);
+              });
 }
 
 std::vector<Validator> rule_validators(const Scenario& scenario, const RobotLimits& limits) {
@@ -87,12 +99,12 @@ std::vector<Validator> rule_validators(const Scenario& scenario, const RobotLimi
     case GameCommand::halt:
       return {halt_kept()};
     case GameCommand::stop:
-      return {stop_speed_kept(), ball_distance_kept(std::nullopt, limits.radius_m),
-              area_distance_kept(field_of(scenario), limits.radius_m)};
+      return {stop_speed_kept(), ball_distance_kept(std::nullopt, limits.radius_m, Grace::each_stay),
+              area_distance_kept(field_of(scenario), limits.radius_m, Grace::each_stay)};
     case GameCommand::kick_off:
-      return {ball_distance_kept(game->team, limits.radius_m)};
+      return {ball_distance_kept(game->team, limits.radius_m, Grace::each_stay)};
     case GameCommand::ball_placement:
-      return {placement_kept(game->team, game->placement_m.value_or(Vec2::Zero()), limits.radius_m)};
+      return {placement_kept(game->team, game->placement_m.value_or(Vec2::Zero()), limits.radius_m, Grace::each_stay)};
     default:
       return {};
   }

@@ -6,25 +6,28 @@
 
 namespace regista {
 
-/// From the first look on teams have this long to comply; the rules give it for the speed in stop, and count more than
-/// 2 s on the line of a placement as a foul.
+/// Teams have this long to comply: the rules give it for the speed in stop, and count more than 2 s on the line of a
+/// placement as a foul.
 inline constexpr Duration kRuleGrace{2'000'000};
 
-/// After the grace no robot drives faster than 1.5 m/s.
+/// at_first: from the grace after the first look on, never. each_stay: never longer than the grace at a stretch, as the
+/// rules count where the ball may roll towards a robot.
+enum class Grace : std::uint8_t { at_first, each_stay };
+
+/// After the first grace no robot drives faster than 1.5 m/s.
 Validator stop_speed_kept();
 
-/// After the grace every robot stands still.
+/// After the first grace every robot stands still.
 Validator halt_kept();
 
-/// After the grace the bodies of all robots, but for the exempt team's, are at least 0.5 m from the ball's surface.
-Validator ball_distance_kept(std::optional<Team> exempt, double robot_radius_m);
+/// The bodies of all robots, but for the exempt team's, are at least 0.5 m from the ball's surface.
+Validator ball_distance_kept(std::optional<Team> exempt, double robot_radius_m, Grace grace);
 
-/// After the grace all bodies, but for the placing team's, are at least 0.5 m from the line between the ball's centre
-/// and the place.
-Validator placement_kept(std::optional<Team> placing, const Vec2& place_m, double robot_radius_m);
+/// All bodies, but for the placing team's, are at least 0.5 m from the line between the ball's centre and the place.
+Validator placement_kept(std::optional<Team> placing, const Vec2& place_m, double robot_radius_m, Grace grace);
 
-/// After the grace all bodies are at least 0.2 m from the defence area of the other team.
-Validator area_distance_kept(const FieldGeometry& field, double robot_radius_m);
+/// All bodies are at least 0.2 m from the defence area of the other team.
+Validator area_distance_kept(const FieldGeometry& field, double robot_radius_m, Grace grace);
 
 /// What the scenario's referee demands all the time; nothing without one.
 std::vector<Validator> rule_validators(const Scenario& scenario, const RobotLimits& limits);

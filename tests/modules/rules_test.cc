@@ -58,9 +58,9 @@ TEST_CASE("in stop all robots slow down and keep off ball and areas") {
     match.put("ball", "-1.5 0.5");
     match.put("Y3", "-1.45 0.6");  // beside the ball
     match.put("B4", "-1.9 0.5");
-    check_none(match.watch(
-        {stop_speed_kept(), ball_distance_kept(std::nullopt, kRadius_m), area_distance_kept(division_a(), kRadius_m)},
-        8.0));
+    check_none(match.watch({stop_speed_kept(), ball_distance_kept(std::nullopt, kRadius_m, Grace::at_first),
+                            area_distance_kept(division_a(), kRadius_m, Grace::at_first)},
+                           8.0));
     CHECK(fastest_during_mps(match.loop, match.modules, Team::yellow, 1.0) > 1.0);  // they drive on all the same
     match.referee("force_start");
     CHECK(fastest_during_mps(match.loop, match.modules, Team::yellow, 3.0) > 1.5);
@@ -78,7 +78,8 @@ TEST_CASE("without the rules robots break them: the judges can fail") {
   run_for(standing.loop, 0.5);
   standing.put("ball", "-3 2");
   standing.put("Y3", "-3.2 2");
-  const auto too_near = standing.watch({ball_distance_kept(std::nullopt, kRadius_m)}, 3.0);
+  standing.ask("task", "task.goto", "Y3", "-3.2 2");
+  const auto too_near = standing.watch({ball_distance_kept(std::nullopt, kRadius_m, Grace::at_first)}, 3.0);
   REQUIRE(too_near.size() == 1);
   CHECK(too_near[0].robot == RobotId{Team::yellow, 3});
 }
@@ -103,7 +104,7 @@ TEST_CASE("a placement's line is left by the shortest way and kept free by the o
       INFO("Y" << robot << " at " << place.transpose());
       CHECK(std::abs(place.x() - (robot == 1 ? 0.0 : -0.6)) < 0.1);
     }
-    check_none(match.watch({placement_kept(Team::blue, {2, 0}, kRadius_m)}, 8.0));
+    check_none(match.watch({placement_kept(Team::blue, {2, 0}, kRadius_m, Grace::at_first)}, 8.0));
     CHECK((match.place({Team::blue, 1}) - Vec2(0.5, -0.2)).norm() < 0.05);
     CHECK(std::abs(match.place({Team::yellow, 1}).x() - 0.5) < 0.1);
   }
