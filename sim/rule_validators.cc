@@ -12,7 +12,7 @@ constexpr double kStopSpeed_mps = 1.5;
 constexpr double kBallDistance_m = 0.5;
 constexpr double kAreaDistance_m = 0.2;
 constexpr double kBallRadius_m = 0.0215;
-constexpr double kStill_mps = 1e-3;  // the simulator brakes to an exact stop, vision's noise makes controllers settle
+constexpr double kStill_mps = 0.05;  // less is vision's noise, to which controllers answer
 
 /// What is measured of a robot, and the bound it must keep.
 using Measure = std::function<std::optional<double>(const RobotState&, const WorldState&)>;

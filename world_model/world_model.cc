@@ -1,6 +1,7 @@
 #include "world_model/world_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -80,43 +81,51 @@ void WorldModel::take_robots(const VisionFrame& frame) {
 /// All detections of one id in one frame, the most confident first: the one nearest to the prediction is the robot.
 void WorldModel::take_robot(const RobotDetection* first, const RobotDetection* last, std::uint32_t camera,
                             Time captured) {
-  const auto unshifted = [&](const Pose& detected) {
-    return Pose{detected.position_m - alignment_.shift_m(camera), detected.heading_rad};
-  };
   const auto found = robots_.find(first->id);
   if (found == robots_.end()) {
     const Sight sight{camera, captured, first->pose.position_m};
-    robots_.emplace(first->id, RobotTrack{RobotFilter(unshifted(first->pose), captured, params_.robot), captured, sight,
-                                          alignment_.shift_m(camera)});
+    const RobotFilter filter(unshifted(first->pose, camera), captured, params_.robot);
+    robots_.emplace(first->id, RobotTrack{filter, captured, sight, alignment_.shift_m(camera)});
     return;
   }
   RobotTrack& track = found->second;
   follow_shift(track, track.sight.camera);
   track.filter.advance(captured, commands_of(track, captured), params_.robot);
   const auto distance_m = [&](const RobotDetection& seen) {
-    return track.filter.distance_m(unshifted(seen.pose), captured);
+    return track.filter.distance_m(unshifted(seen.pose, camera), captured);
   };
   const Pose& seen = std::min_element(first, last, [&](const RobotDetection& a, const RobotDetection& b) {
                        return distance_m(a) < distance_m(b);
                      })->pose;
-  const Pose pose = unshifted(seen);
   const Sight sight{camera, captured, seen.position_m};
-  if (track.filter.accepts(pose, captured, params_.robot)) {
-    track.guard.accepted();
-    compare_cameras(track, sight);
-    follow_shift(track, track.sight.camera);
-    track.filter.correct(unshifted(seen), captured, params_.robot);
-  } else if (captured >= track.filter.time() &&
-             track.guard.refused(pose.position_m, captured, params_.robot.gate_m, 2.0 * params_.robot.speed_sigma_mps,
-                                 params_.teleport_detections)) {
-    track.filter = RobotFilter(pose, captured, params_.robot);
-  } else {
-    return;
-  }
+  if (!correct(track, seen, sight)) return;
   track.sight = sight;
   track.shift_m = alignment_.shift_m(camera);
   track.seen = std::max(track.seen, captured);
   ++track.sightings;
+}
+
+/// Takes the detection in, or begins anew where it and those before show that the robot is elsewhere. False: ignored.
+bool WorldModel::correct(RobotTrack& track, const Pose& seen, const Sight& sight) {
+  const Pose pose = unshifted(seen, sight.camera);
+  if (track.filter.accepts(pose, sight.captured, params_.robot)) {
+    track.guard.accepted();
+    compare_cameras(track, sight);
+    follow_shift(track, track.sight.camera);
+    track.filter.correct(unshifted(seen, sight.camera), sight.captured, params_.robot);
+    return true;
+  }
+  if (sight.captured < track.filter.time() ||
+      !track.guard.refused(pose.position_m, sight.captured, params_.robot.gate_m, 2.0 * params_.robot.speed_sigma_mps,
+                           params_.teleport_detections)) {
+    return false;
+  }
+  track.filter = RobotFilter(pose, sight.captured, params_.robot);
+  return true;
+}
+
+Pose WorldModel::unshifted(const Pose& seen, std::uint32_t camera) const {
+  return {seen.position_m - alignment_.shift_m(camera), seen.heading_rad};
 }
 
 /// A robot seen by one camera and shortly after by another tells how both lie beside each other, once its velocity is

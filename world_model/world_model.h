@@ -109,6 +109,8 @@ class WorldModel {
 
   void take_robots(const VisionFrame& frame);
   void take_robot(const RobotDetection* first, const RobotDetection* last, std::uint32_t camera, Time captured);
+  bool correct(RobotTrack& track, const Pose& seen, const Sight& sight);
+  Pose unshifted(const Pose& seen, std::uint32_t camera) const;
   void compare_cameras(const RobotTrack& track, const Sight& sight);
   template <class Track>
   void follow_shift(Track& track, std::uint32_t camera) const;

@@ -30,7 +30,7 @@ TEST_CASE("too fast in stop, but only after the grace") {
 
 TEST_CASE("at halt nobody moves") {
   CHECK(judged(halt_kept(), {1, 1}).empty());
-  CHECK(judged(halt_kept(), {1, 1}, 0.01).size() == 1);
+  CHECK(judged(halt_kept(), {1, 1}, 0.06).size() == 1);
 }
 
 TEST_CASE("too near to the ball, unless exempt") {
