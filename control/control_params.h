@@ -56,6 +56,7 @@ struct ControlParams {
   VelocityChoiceParams velocity_choice;
   SafetyParams safety;
   WheelGeometry wheels;
+  std::string robot_wheels;        ///< exceptions of single robots, as TeamWheels reads them
   double plan_deadline_s = 0.2;    ///< a plan older than this is no plan: 20 world states at 100 Hz
   double world_deadline_s = 0.1;   ///< without a world state for so long all robots brake
   double unseen_deadline_s = 0.2;  ///< a robot that vision lost for so long brakes: at 3 m/s it went 0.6 m blind
@@ -80,6 +81,8 @@ struct ControlParams {
     v.group("velocity_choice", self.velocity_choice);
     v.group("safety", self.safety);
     v.group("wheels", self.wheels);
+    v("robot_wheels", self.robot_wheels, Range{}, "",
+      "robots with other wheels: \"3: hub_radius_m=0.07; 12: wheel_radius_m=0.03\"");
     v("plan_deadline_s", self.plan_deadline_s, Range{0.001, 10.0}, "s", "an older plan is no plan");
     v("world_deadline_s", self.world_deadline_s, Range{0.001, 10.0}, "s", "without a world state for so long, brake");
     v("unseen_deadline_s", self.unseen_deadline_s, Range{0.001, 10.0}, "s", "a robot unseen for so long brakes");

@@ -76,13 +76,14 @@ double length_of_path(std::span<const Vec2> path, const Vec2& from_m) {
 
 }  // namespace
 
-Controller::Controller(Team team, const ControlParams& params) : team_(team), params_(params), wheels_(params.wheels) {
+Controller::Controller(Team team, const ControlParams& params)
+    : team_(team), params_(params), wheels_(params.wheels, params.robot_wheels) {
   safety_mode(params.safety.mode);
 }
 
 void Controller::set_params(const ControlParams& params) {
   safety_mode(params.safety.mode);
-  wheels_ = OmniWheels(params.wheels);
+  wheels_ = TeamWheels(params.wheels, params.robot_wheels);
   params_ = params;
 }
 
@@ -128,8 +129,9 @@ RobotCommand Controller::command(std::uint16_t robot, Told& motion, const Twist&
   RobotCommand out;
   out.robot = robot;
   out.velocity = to_body(twist, mean_heading_rad);
-  out.wheel_speeds_radps = wheels_.speeds(out.velocity);
-  const double scale = wheels_.scale_to_limit(out.wheel_speeds_radps);
+  const OmniWheels& wheels = wheels_.of(robot);
+  out.wheel_speeds_radps = wheels.speeds(out.velocity);
+  const double scale = wheels.scale_to_limit(out.wheel_speeds_radps);
   if (scale < 1.0) {
     twist = {scale * twist.velocity_mps, scale * twist.angular_radps};
     out.velocity = to_body(twist, mean_heading_rad);

@@ -10,6 +10,7 @@
 #include "control/acceleration_estimate.h"
 #include "control/avoidance.h"
 #include "control/control_params.h"
+#include "control/team_wheels.h"
 #include "control/velocity_command.h"
 #include "planning/plan.h"
 #include "world_model/types/world_state.h"
@@ -63,7 +64,7 @@ class Controller {
 
   Team team_;
   ControlParams params_;
-  OmniWheels wheels_;
+  TeamWheels wheels_;
   std::uint64_t sequence_ = 0;
   AccelerationEstimate accelerations_;
   Avoidance avoidance_;

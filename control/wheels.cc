@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -14,11 +15,31 @@ namespace {
 /// more.
 constexpr double kLeastMotion = 1e-9;
 
+std::array<double, 4> bearings_of(const WheelGeometry& geometry) {
+  if (geometry.bearings_rad.empty()) {
+    return {geometry.front_bearing_rad, geometry.rear_bearing_rad, -geometry.rear_bearing_rad,
+            -geometry.front_bearing_rad};
+  }
+  std::array<double, 4> bearings{};
+  const char* at = geometry.bearings_rad.data();
+  const char* const end = at + geometry.bearings_rad.size();
+  bool is_good = true;
+  for (double& bearing : bearings) {
+    const auto [next, error] = std::from_chars(at, end, bearing);
+    // A comma after each but the last.
+    const bool is_closed = &bearing == &bearings.back() ? next == end : next != end && *next == ',';
+    is_good = is_good && error == std::errc{} && is_closed && std::abs(bearing) <= 2.0 * std::numbers::pi;
+    at = next == end ? end : next + 1;
+  }
+  if (is_good) return bearings;
+  throw std::invalid_argument("OmniWheels: bearings_rad is '" + geometry.bearings_rad +
+                              "', must be four numbers with commas between, in radians from forward to the left");
+}
+
 }  // namespace
 
 OmniWheels::OmniWheels(const WheelGeometry& geometry) : speed_max_radps_(geometry.wheel_speed_max_radps) {
-  const std::array<double, 4> bearings{geometry.front_bearing_rad, geometry.rear_bearing_rad,
-                                       -geometry.rear_bearing_rad, -geometry.front_bearing_rad};
+  const std::array<double, 4> bearings = bearings_of(geometry);
   for (int i = 0; i < 4; ++i) {
     // A hub at bearing β moves with v + ω × r; the wheel drives along the tangent (−sin β, cos β), its rollers let the
     // rest slip.
@@ -31,11 +52,11 @@ OmniWheels::OmniWheels(const WheelGeometry& geometry) : speed_max_radps_(geometr
   const Eigen::Vector3d motions = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues();
   if (!(geometry.wheel_radius_m > 0.0 && geometry.hub_radius_m > 0.0 && speed_max_radps_ > 0.0 &&
         motions[0] > kLeastMotion * motions[2])) {
-    throw std::invalid_argument("OmniWheels: bearings " + std::to_string(geometry.front_bearing_rad) + " and " +
-                                std::to_string(geometry.rear_bearing_rad) + " rad, hub radius " +
-                                std::to_string(geometry.hub_radius_m) + " m, wheel radius " +
-                                std::to_string(geometry.wheel_radius_m) + " m, limit " +
-                                std::to_string(speed_max_radps_) + " rad/s do not make a robot that can move");
+    throw std::invalid_argument(
+        "OmniWheels: bearings " + std::to_string(bearings[0]) + ", " + std::to_string(bearings[1]) + ", " +
+        std::to_string(bearings[2]) + " and " + std::to_string(bearings[3]) + " rad, hub radius " +
+        std::to_string(geometry.hub_radius_m) + " m, wheel radius " + std::to_string(geometry.wheel_radius_m) +
+        " m, limit " + std::to_string(speed_max_radps_) + " rad/s do not make a robot that can move");
   }
   to_body_ = normal.inverse() * to_wheels_.transpose();
 }

@@ -7,6 +7,7 @@
 #include "modules/bus/channels.h"
 #include "modules/convert/commands.h"
 #include "modules/convert/planning.h"
+#include "modules/convert/referee.h"
 #include "modules/convert/vision.h"
 #include "modules/convert/world.h"
 
@@ -78,6 +79,21 @@ void flatten(const FieldAnnouncement& announcement, Flattener& out) {
   out.exact(field.yellow_on_positive_x ? "yellow +x" : "yellow -x");
 }
 
+void flatten(const TeamRecord& record, Flattener& out) {
+  for (const std::uint32_t count : {record.score, record.yellow_cards, record.red_cards}) out.exact(count);
+  out.exact(record.goalkeeper);
+}
+
+void flatten(const GameState& game, Flattener& out) {
+  out.exact(static_cast<std::uint64_t>(game.stage));
+  out.exact(command_text(game.command, game.team));
+  out.exact(game.command_counter);
+  out.exact(game.placement_m ? "placement" : "");
+  if (game.placement_m) out.point(*game.placement_m);
+  flatten(game.yellow, out);
+  flatten(game.blue, out);
+}
+
 void flatten(const Target& target, Flattener& out) {
   out.exact(target.robot);
   out.pose(target.pose);
@@ -133,6 +149,7 @@ std::optional<MessageNumbers> message_numbers(const std::string& channel, std::s
   const std::string base = channel.substr(0, channel.find('.'));
   if (base == "VISION") return numbers_of<VisionFrame>(bytes);
   if (base == "GEOMETRY") return numbers_of<FieldAnnouncement>(bytes);
+  if (base == "REFEREE") return numbers_of<GameState>(bytes);
   if (base == "WORLD_STATE" || base == "TRUTH") return numbers_of<WorldState>(bytes);
   if (base == "TARGETS") return numbers_of<Targets>(bytes);
   if (base == "PLAN") return numbers_of<RobotPlan>(bytes);

@@ -13,13 +13,14 @@ struct ModuleOutputs {
   std::array<std::string_view, 3> patterns;  ///< '@' stands for the team's letter; empty: none
 };
 
-// The task publishes for both teams.
-constexpr std::array<ModuleOutputs, 8> kOutputs{{
+// The task publishes for both teams, and stands in for the referee where a scenario states one.
+constexpr std::array<ModuleOutputs, 9> kOutputs{{
     {"sim", false, {"VISION", "GEOMETRY", "TRUTH"}},
     {"ssl-vision", false, {"VISION", "GEOMETRY", ""}},
+    {"ssl-referee", false, {"REFEREE", "", ""}},
     {"ssl-radio", false, {"", "", ""}},
     {"world-model", false, {"WORLD_STATE", "", ""}},
-    {"task", false, {R"(TARGETS\.[YB])", "", ""}},
+    {"task", false, {R"(TARGETS\.[YB])", "REFEREE", ""}},
     {"planner", true, {R"(PLAN\.@[0-9]+)", R"(GRAPH\.@)", ""}},
     {"controller", true, {R"(COMMANDS\.@)", "", ""}},
     {"viewer", false, {"", "", ""}},

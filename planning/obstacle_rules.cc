@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "planning/game_rules.h"
 #include "world_model/types/field_side.h"
 
 namespace regista {
@@ -32,11 +33,11 @@ Obstacle robot_obstacle(const RobotState& robot, Team team, const PlanningParams
 }
 
 /// From the area's front to the rear of the goal: the strip beside the goal is a dead end nobody should try.
-Obstacle area_obstacle(double side, const FieldGeometry& field, const PlanningParams& params) {
+Obstacle area_obstacle(double side, const FieldGeometry& field, double robot_radius_m, double margin_m) {
   const double front_m = field.length_m / 2 - field.defence_depth_m;
   const double rear_m = field.length_m / 2 + field.goal_depth_m + field.goal_wall_m;
   return rounded_rectangle({side * front_m, -field.defence_width_m / 2}, {side * rear_m, field.defence_width_m / 2},
-                           params.robot_radius_m + params.area_margin_m);
+                           robot_radius_m + margin_m);
 }
 
 /// The two side walls and the rear wall; goal_depth_m and goal_width_m are the goal's inner measures.
@@ -56,8 +57,23 @@ void append_goal_walls(double side, const FieldGeometry& field, const PlanningPa
 
 }  // namespace
 
+std::vector<Obstacle> static_obstacles(Team team, const FieldGeometry& field, const WorldState& world,
+                                       const Situation& situation, const PlanningParams& params) {
+  const double radius_m = params.robot_radius_m;
+  const double opponent_margin_m = std::max(params.area_margin_m, rule_area_distance(situation, params.rules));
+  std::vector<Obstacle> out{area_obstacle(side_of(team, field), field, radius_m, params.area_margin_m),
+                            area_obstacle(side_of(opponent_of(team), field), field, radius_m, opponent_margin_m)};
+  append_goal_walls(-1.0, field, params, out);
+  append_goal_walls(1.0, field, params, out);
+  for (const Obstacle& shape : rule_obstacles(team, world, situation, params.rules, radius_m)) {
+    if (!is_valid(shape)) throw std::invalid_argument("the ball or the place for it must be finite");
+    out.push_back(shape);
+  }
+  return out;
+}
+
 TeamObstacles obstacles_for(Team team, const FieldGeometry& field, const WorldState& world,
-                            const PlanningParams& params) {
+                            const PlanningParams& params, const Situation& situation) {
   TeamObstacles out;
   std::vector<Obstacle> obstacles;
   for (const RobotState& robot : world.robots) {
@@ -65,11 +81,9 @@ TeamObstacles obstacles_for(Team team, const FieldGeometry& field, const WorldSt
     obstacles.push_back(robot_obstacle(robot, team, params));
     out.robots.push_back(robot.id);
   }
-  out.own_area = obstacles.size();
-  obstacles.push_back(area_obstacle(side_of(team, field), field, params));
-  obstacles.push_back(area_obstacle(side_of(opponent_of(team), field), field, params));
-  append_goal_walls(-1.0, field, params, obstacles);
-  append_goal_walls(1.0, field, params, obstacles);
+  out.own_area = obstacles.size() + kOwnArea;
+  const std::vector<Obstacle> still = static_obstacles(team, field, world, situation, params);
+  obstacles.insert(obstacles.end(), still.begin(), still.end());
   out.field = ObstacleField({half_extent(field, params.robot_radius_m)}, std::move(obstacles));
   return out;
 }

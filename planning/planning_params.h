@@ -7,6 +7,7 @@
 #include "planning/planners/errt_params.h"
 #include "planning/planners/ompl/ompl_params.h"
 #include "planning/planners/rrt_params.h"
+#include "planning/rule_params.h"
 #include "world_model/params.h"
 
 namespace regista {
@@ -33,6 +34,7 @@ struct PlanningParams {
   std::int64_t budget_us = 0;             ///< time per robot; 0: a random planner's is its share of frame_period_s
   double frame_period_s = 0.01;           ///< of the cameras; 0: unknown, and no limit comes from it
   std::int64_t seed = 1;                  ///< of random planners
+  RuleParams rules;
   RrtParams rrt;
   IterativeRrtParams irrt;
   ErrtParams errt;
@@ -70,6 +72,7 @@ struct PlanningParams {
     v("frame_period_s", self.frame_period_s, Range{0.0, 10.0}, "s",
       "of the cameras, for budget_us; 0: no limit (lock step, which has no clock, always sets both to 0)");
     v("seed", self.seed, Range{0.0, 9e15}, "", "seed of random planners");
+    v.group("rules", self.rules);
     v.group("rrt", self.rrt);
     v.group("irrt", self.irrt);
     v.group("errt", self.errt);

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "planning/game_rules.h"
 #include "planning/obstacle_growth.h"
 #include "planning/predicted_obstacles.h"
 #include "planning/uniform.h"
@@ -28,6 +29,14 @@ void check(const Targets& targets, Team team) {
   }
 }
 
+/// Without a path a robot brakes and turns no more.
+Plan halted() {
+  Plan plan;
+  plan.status = PlanStatus::not_found;
+  plan.reason = "halt: every robot stands still";
+  return plan;
+}
+
 }  // namespace
 
 TeamPlanner::TeamPlanner(Team team, const PlanningParams& params)
@@ -47,20 +56,24 @@ void TeamPlanner::set_params(const PlanningParams& params) {
 }
 
 TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
-                            const Stopwatch* stopwatch) {
+                            const Stopwatch* stopwatch, const Situation& situation) {
   check(targets, team_);
   const std::int64_t frame_began = read(stopwatch);
-  TeamObstacles obstacles = obstacles_for(team_, field, world, params_);
+  TeamObstacles obstacles = obstacles_for(team_, field, world, params_, situation);
+  const double speed_max_mps = rule_speed_max(situation, params_.rules);
   graph_.reset(std::move(obstacles.field));
   captured_ = world.captured;
   world_sequence_ = world.sequence;
   const std::int64_t robot_budget_ns = stopwatch != nullptr ? budget_ns(targets.targets.size()) : 0;
   TeamPlans out;
-  for (const Target& target : targets.targets) {
+  for (Target target : targets.targets) {
     const RobotState* robot = find_robot(world, {team_, target.robot});
     if (robot == nullptr) continue;
     const std::int64_t began = read(stopwatch);
-    Plan plan = plan_robot(obstacles, world, *robot, target, stopwatch, robot_budget_ns);
+    target.speed_max_mps = std::min(target.speed_max_mps, speed_max_mps);
+    Plan plan = situation.kind == SituationKind::halt
+                    ? halted()
+                    : plan_robot(obstacles, world, *robot, target, stopwatch, robot_budget_ns);
     if (stopwatch != nullptr) out.durations_ns.push_back(read(stopwatch) - began);
     out.plans.push_back({robot->id, world.captured, world.sequence, targets.sequence, 0, std::string(entry_->name),
                          generation_, target, std::move(plan)});

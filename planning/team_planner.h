@@ -41,8 +41,10 @@ class TeamPlanner {
   /// status invalid. A robot stays on its side of obstacles (side_change_gain). Without stopwatch the answer is a
   /// function of the arguments and of the paths answered in the frame before, and no time limit is honoured. Throws
   /// std::invalid_argument where obstacles_for does, and for targets of the other team or two for one robot.
+  /// The rules of the situation lower the speed limits in the plans' targets; at halt every robot gets a plan without
+  /// path, so that it brakes.
   TeamPlans plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
-                 const Stopwatch* stopwatch = nullptr);
+                 const Stopwatch* stopwatch = nullptr, const Situation& situation = {});
 
   /// The last frame's graph as far as it was needed.
   GraphPicture picture() const;

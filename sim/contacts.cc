@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace regista {
 namespace {
@@ -10,6 +11,27 @@ Vec2 line_of_centres(const RobotBody& from, const RobotBody& to) {
   const Vec2 off = to.pose.position_m - from.pose.position_m;
   const double distance = off.norm();
   return distance > 0.0 ? Vec2(off / distance) : Vec2(1.0, 0.0);
+}
+
+/// The part of the step, 0 to 1, after which two centres that go straight from `before` to `after` apart first come
+/// closer than distance_m; nothing when they do not. |before + s (after − before)|² = distance², solved for the least
+/// s.
+std::optional<double> first_within(const Vec2& before, const Vec2& after, double distance_m) {
+  const double c = before.squaredNorm() - distance_m * distance_m;
+  if (c < 0.0) return 0.0;
+  const Vec2 way = after - before;
+  const double a = way.squaredNorm();
+  const double b = before.dot(way);  // half the linear coefficient
+  const double discriminant = b * b - a * c;
+  if (b >= 0.0 || discriminant <= 0.0) return std::nullopt;  // going apart, passing by or grazing
+  const double s = (-b - std::sqrt(discriminant)) / a;
+  return s < 1.0 ? std::optional(s) : std::nullopt;
+}
+
+RobotBody moved_back(const RobotBody& robot, const Vec2& before_m, double part) {
+  RobotBody moved = robot;
+  moved.pose.position_m = before_m + part * (robot.pose.position_m - before_m);
+  return moved;
 }
 
 }  // namespace
@@ -29,18 +51,22 @@ Fault crash_fault(const RobotBody& first, const RobotBody& second) {
 
 ContactLog::ContactLog(double robot_radius_m) : robot_radius_m_(robot_radius_m) {}
 
-void ContactLog::observe(const std::vector<RobotBody>& robots, const std::vector<IndexPair>& near, Time now) {
-  const double begin_distance = 2.0 * robot_radius_m_;
+void ContactLog::observe(const std::vector<RobotBody>& robots, std::span<const Vec2> before_m,
+                         const std::vector<IndexPair>& near, Time now) {
   still_touching_.clear();
   for (const IndexPair& pair : near) {
     const RobotBody& a = robots[pair.first];
     const RobotBody& b = robots[pair.second];
-    const double distance_squared = (a.pose.position_m - b.pose.position_m).squaredNorm();
-    if (distance_squared > end_distance_m() * end_distance_m()) continue;
-    const bool touched = std::binary_search(touching_.begin(), touching_.end(), pair);
-    if (!touched && distance_squared >= begin_distance * begin_distance) continue;
-    if (!touched) begin(a, b, now);
-    still_touching_.push_back(pair);
+    const Vec2 apart = b.pose.position_m - a.pose.position_m;
+    bool touches = std::binary_search(touching_.begin(), touching_.end(), pair);
+    if (!touches) {
+      const Vec2& a_before = before_m[pair.first];
+      const Vec2& b_before = before_m[pair.second];
+      const auto part = first_within(b_before - a_before, apart, 2.0 * robot_radius_m_);
+      touches = part.has_value();
+      if (part) begin(moved_back(a, a_before, *part), moved_back(b, b_before, *part), now);
+    }
+    if (touches && apart.squaredNorm() <= end_distance_m() * end_distance_m()) still_touching_.push_back(pair);
   }
   touching_.swap(still_touching_);
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <vector>
 
 #include "sim/near_pairs.h"
@@ -15,7 +16,8 @@ namespace regista {
 inline constexpr double kCrashSpeed_mps = 1.5;
 /// Robots whose speeds towards each other differ by less are both guilty; SSL rules.
 inline constexpr double kCrashDifference_mps = 0.3;
-/// A contact begins when discs overlap and ends when they are this far apart, so that shaking is one contact. Metres.
+/// A contact begins when discs overlap at any moment of a step and ends when they are this far apart, so that shaking
+/// is one contact. Metres.
 inline constexpr double kContactHysteresis_m = 0.01;
 
 /// How many contacts a log keeps: minutes of a crowded game, however long a run is.
@@ -53,8 +55,11 @@ class ContactLog {
 
   /// Distance of centres up to which observe() must be told all pairs.
   double end_distance_m() const { return 2.0 * robot_radius_m_ + kContactHysteresis_m; }
-  /// Looks at one moment, before keep_apart changes the velocities. `near` as NearPairs finds them.
-  void observe(const std::vector<RobotBody>& robots, const std::vector<IndexPair>& near, Time now);
+  /// Looks at one step that ends now, before keep_apart changes the velocities. `before_m` is where each robot was when
+  /// the step began; in between all went straight on. `near` as NearPairs finds them, in the distance that a pair may
+  /// have come through in the step.
+  void observe(const std::vector<RobotBody>& robots, std::span<const Vec2> before_m, const std::vector<IndexPair>& near,
+               Time now);
 
   /// The newest kContactsKept, oldest first; counts() are of all.
   const std::deque<Contact>& contacts() const { return contacts_; }

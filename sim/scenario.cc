@@ -35,6 +35,11 @@ void validate(const Scenario& scenario) {
   if (scenario.task != "random_targets" && scenario.task != "stand") {
     throw std::invalid_argument("task is '" + scenario.task + "', must be random_targets or stand");
   }
+  if (!scenario.referee.empty() && !parse_command(scenario.referee)) {
+    std::string known;
+    for (const std::string& text : command_texts()) known += (known.empty() ? "" : ", ") + text;
+    throw std::invalid_argument("referee is '" + scenario.referee + "', must be empty or one of: " + known);
+  }
   // From anywhere, some place so far away must exist.
   if (scenario.task == "random_targets" && scenario.target_distance_min_m > field.length_m / 2.0) {
     throw std::invalid_argument("target_distance_min_m is " + std::to_string(scenario.target_distance_min_m) +
@@ -51,6 +56,18 @@ void validate(const Scenario& scenario) {
     require_far_places(field, params);
   }
   (void)formation(field, static_cast<int>(scenario.robots_per_team), RobotLimits{}.radius_m);
+}
+
+std::optional<GameState> stated_game(const Scenario& scenario) {
+  validate(scenario);
+  if (scenario.referee.empty()) return std::nullopt;
+  const NamedCommand named = parse_command(scenario.referee).value();
+  GameState game;
+  game.command = named.command;
+  game.team = named.team;
+  game.command_counter = 1;
+  if (named.command == GameCommand::ball_placement) game.placement_m = scenario.placement_m;
+  return game;
 }
 
 std::vector<RobotPlacement> initial_placements(const Scenario& scenario) {

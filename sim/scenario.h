@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sim/formation.h"
 #include "world_model/params.h"
+#include "world_model/types/game_state.h"
 
 namespace regista {
 
@@ -51,6 +53,8 @@ struct Scenario {
   double duration_s = 60.0;
   std::string sim_preset = "noisy";
   std::string task = "random_targets";  ///< or "stand"
+  std::string referee;                  ///< what the referee says all the time, "stop"; empty: nothing
+  Vec2 placement_m = Vec2::Zero();      ///< where the ball is to be placed, when the referee says so
   double target_distance_min_m = 3.0;   ///< a new target is at least so far from the robot
   double arrival_m = 0.05;              ///< arrived when so near to the target
   Expectations expect;
@@ -66,6 +70,9 @@ struct Scenario {
     v("duration_s", self.duration_s, Range{0.01, 1e6}, "s", "simulated");
     v("sim_preset", self.sim_preset, Range{}, "", "none, noisy, realistic");
     v("task", self.task, Range{}, "", "random_targets or stand");
+    v("referee", self.referee, Range{}, "", "command to play under: stop, halt, ball_placement_yellow, …; empty: none");
+    v("placement_x_m", self.placement_m.x(), Range{-1000, 1000}, "m", "where the ball is to be placed");
+    v("placement_y_m", self.placement_m.y(), Range{-1000, 1000}, "m", "where the ball is to be placed");
     v("target_distance_min_m", self.target_distance_min_m, Range{0.2, 1000}, "m", "from the robot to its new target");
     v("arrival_m", self.arrival_m, Range{0.001, 1}, "m", "arrived when so near to the target");
     v.group("expect", self.expect);
@@ -74,6 +81,9 @@ struct Scenario {
 
 /// The field it is played on. Throws std::invalid_argument for an unknown division.
 FieldGeometry field_of(const Scenario& scenario);
+
+/// What the referee says all the time; nothing where the scenario has none. Throws as validate.
+std::optional<GameState> stated_game(const Scenario& scenario);
 
 /// Throws std::invalid_argument with one line that says which entry is wrong and what would be right.
 void validate(const Scenario& scenario);

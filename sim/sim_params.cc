@@ -16,12 +16,16 @@ SimParams noisy() {
   return params;
 }
 
-// As noisy, and what gets lost or late: 35 ms camera and 10 ms processing, losses as counted in recorded games.
+// As noisy, and what gets lost or late: 35 ms camera and 10 ms processing, losses as counted in recorded games; two
+// cameras whose pictures of one object lie up to 20 mm beside it.
 SimParams realistic() {
   SimParams params = noisy();
   params.vision.latency_s = 0.045;
   params.vision.robot_dropout = 0.02;
   params.vision.ball_dropout = 0.05;
+  params.vision.cameras = 2;
+  params.vision.camera_overlap_m = 0.3;
+  params.vision.camera_shift_max_m = 0.020;
   params.radio.loss = 0.03;
   return params;
 }

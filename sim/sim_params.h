@@ -20,17 +20,23 @@ struct VisionParams {
   double ball_sigma_m = 0.0;
   double robot_dropout = 0.0;
   double ball_dropout = 0.0;
+  std::int64_t cameras = 1;         ///< in turn: their frames are evenly spread over the period
+  double camera_overlap_m = 0.3;    ///< width of the strip that two neighbours see
+  double camera_shift_max_m = 0.0;  ///< each one's calibration is off by up to this, drawn from the seed
   bool operator==(const VisionParams&) const = default;
 
   template <class Self, class V>
   static void visit(Self& self, V&& v) {
-    v("rate_hz", self.rate_hz, Range{1, 1000}, "1/s", "frames per second");
+    v("rate_hz", self.rate_hz, Range{1, 1000}, "1/s", "frames per second and camera");
     v("latency_s", self.latency_s, Range{0, 1}, "s", "from capture to sent");
     v("robot_sigma_m", self.robot_sigma_m, Range{0, 1}, "m", "standard deviation of a robot's position, per axis");
     v("heading_sigma_rad", self.heading_sigma_rad, Range{0, 1}, "rad", "standard deviation of a robot's heading");
     v("ball_sigma_m", self.ball_sigma_m, Range{0, 1}, "m", "standard deviation of the ball's position, per axis");
     v("robot_dropout", self.robot_dropout, Range{0, 1}, "", "probability that a robot is missing in a frame");
     v("ball_dropout", self.ball_dropout, Range{0, 1}, "", "probability that the ball is missing in a frame");
+    v("cameras", self.cameras, Range{1, 8}, "", "how many share the field: side by side, from 4 on in two rows");
+    v("camera_overlap_m", self.camera_overlap_m, Range{0, 10}, "m", "width of the strip that two neighbours see");
+    v("camera_shift_max_m", self.camera_shift_max_m, Range{0, 1}, "m", "largest error of a camera's place");
   }
 };
 
@@ -70,6 +76,7 @@ struct BallParams {
 
 struct SimParams {
   double velocity_lag_s = 0.0;  ///< time constant of a body's first-order answer to its command
+  double velocity_gain = 1.0;   ///< part of its command that a body drives and turns
   RobotLimits limits;
   VisionParams vision;
   RadioParams radio;
@@ -79,6 +86,7 @@ struct SimParams {
   template <class Self, class V>
   static void visit(Self& self, V&& v) {
     v("velocity_lag_s", self.velocity_lag_s, Range{0, 1}, "s", "time constant of a robot's answer to its command");
+    v("velocity_gain", self.velocity_gain, Range{0, 2}, "", "a robot drives and turns this factor of its command");
     v.group("limits", self.limits);
     v.group("vision", self.vision);
     v.group("radio", self.radio);
@@ -90,8 +98,8 @@ struct SimParams {
 std::vector<std::string> sim_preset_names();
 
 /// `none`: exact and immediate. `noisy`: vision noise at 100 Hz, command delay and lag, nothing lost. `realistic`:
-/// noise, delays and losses as on real fields, seen by one camera as yet; the overlapping, shifted cameras are still to
-/// come. Throws std::invalid_argument naming the presets for any other name.
+/// noise, delays and losses as on real fields, seen by two shifted cameras that overlap. Throws std::invalid_argument
+/// naming the presets for any other name.
 SimParams sim_preset(std::string_view name);
 
 }  // namespace regista

@@ -14,7 +14,7 @@ constexpr double kStep_s = to_seconds(kSimStep);
 
 // Streams of the seed.
 constexpr std::uint64_t kLinkStream = 0;
-constexpr std::uint64_t kCameraStream = 1;
+constexpr std::uint64_t kCameraStream = 1;  // and those after it, one per camera
 
 const SimSetup& checked(const SimSetup& setup) {
   check_ranges(setup.params);
@@ -40,6 +40,22 @@ std::vector<RobotId> ids_of(const std::vector<RobotBody>& bodies) {
   return ids;
 }
 
+BodyVelocity scaled(const BodyVelocity& velocity, double factor) {
+  return {factor * velocity.forward_mps, factor * velocity.left_mps, factor * velocity.angular_radps};
+}
+
+/// They take turns: real ones are not synchronised, and evenly is the mean of all ways.
+std::vector<Camera> cameras_of(const SimSetup& setup) {
+  const VisionParams& params = setup.params.vision;
+  std::vector<Camera> cameras;
+  for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(params.cameras); ++i) {
+    const Duration turn = from_seconds(i / (params.rate_hz * static_cast<double>(params.cameras)));
+    cameras.emplace_back(i, params, mixed(setup.seed, kCameraStream + i), setup.start + turn,
+                         camera_view(setup.field, i, params));
+  }
+  return cameras;
+}
+
 }  // namespace
 
 SimSetup sim_setup(const Scenario& scenario, Time start) {
@@ -63,7 +79,7 @@ Simulator::Simulator(const SimSetup& setup)
       kicker_ready_(robots_.size(), setup.start),
       link_(ids_of(robots_), params_.radio, mixed(setup.seed, kLinkStream)),
       contacts_(params_.limits.radius_m),
-      camera_(0, params_.vision, mixed(setup.seed, kCameraStream), setup.start) {
+      cameras_(cameras_of(setup)) {
   for (RobotBody& robot : robots_) {
     check_place(robot.pose.position_m, params_.limits.radius_m, to_string(robot.id));
     if (!std::isfinite(robot.pose.heading_rad)) {
@@ -73,7 +89,7 @@ Simulator::Simulator(const SimSetup& setup)
   }
   check_place(setup.ball_m, params_.ball.radius_m, "the ball");
   ball_.position_m = setup.ball_m;
-  look();
+  look_if_due();
 }
 
 void Simulator::command(const TeamCommands& commands, Time arrived) { link_.receive(commands, arrived); }
@@ -89,28 +105,37 @@ void Simulator::advance_to(Time now) {
 void Simulator::step_once() {
   link_.update(now_);
   move_robots();
-  if (robots_collide_) {
-    const auto& near = near_.find(robots_, contacts_.end_distance_m());
-    contacts_.observe(robots_, near, now_ + kSimStep);
-    keep_apart(robots_, near, params_.limits);
-  }
+  if (robots_collide_) part_robots();
   for (RobotBody& robot : robots_) {
     keep_off(walls_, params_.limits.radius_m, 0.0, robot.pose.position_m, robot.twist.velocity_mps);
   }
   move_ball();
   now_ += kSimStep;
-  if (camera_.next_capture() <= now_) look();
+  look_if_due();
 }
 
 void Simulator::move_robots() {
+  before_m_.clear();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    before_m_.push_back(robots_[i].pose.position_m);
     const HeardCommand* heard = link_.heard(i, now_);
     if (heard != nullptr) {
-      step(robots_[i], heard->velocity, params_.limits, params_.velocity_lag_s, kStep_s);
+      step(robots_[i], scaled(heard->velocity, params_.velocity_gain), params_.limits, params_.velocity_lag_s, kStep_s);
     } else {
       brake(robots_[i], params_.limits, kStep_s);
     }
   }
+}
+
+void Simulator::part_robots() {
+  double farthest_m = 0.0;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    farthest_m = std::max(farthest_m, (robots_[i].pose.position_m - before_m_[i]).norm());
+  }
+  // Two that touched on the way are at most both their ways beyond touching at its end.
+  const auto& near = near_.find(robots_, contacts_.end_distance_m() + 2.0 * farthest_m);
+  contacts_.observe(robots_, before_m_, near, now_ + kSimStep);
+  keep_apart(robots_, near, params_.limits);
 }
 
 void Simulator::move_ball() {
@@ -128,7 +153,11 @@ void Simulator::move_ball() {
   keep_off(walls_, params_.ball.radius_m, params_.ball.wall_restitution, ball_.position_m, ball_.velocity_mps);
 }
 
-void Simulator::look() { frames_.push_back(camera_.capture(robots_, ball_, now_)); }
+void Simulator::look_if_due() {
+  for (Camera& camera : cameras_) {
+    if (camera.next_capture() <= now_) frames_.push_back(camera.capture(robots_, ball_, now_));
+  }
+}
 
 std::vector<VisionFrame> Simulator::take_frames() {
   std::vector<VisionFrame> taken;
@@ -139,7 +168,10 @@ std::vector<VisionFrame> Simulator::take_frames() {
 }
 
 Time Simulator::next_frame_due() const {
-  return on_grid(frames_.empty() ? on_grid(camera_.next_capture()) + camera_.latency() : frames_.front().sent);
+  if (!frames_.empty()) return on_grid(frames_.front().sent);
+  Time due = Time::max();
+  for (const Camera& camera : cameras_) due = std::min(due, on_grid(camera.next_capture()) + camera.latency());
+  return on_grid(due);
 }
 
 Time Simulator::on_grid(Time time) const {

@@ -37,8 +37,8 @@ SimSetup sim_setup(const Scenario& scenario, Time start);
 
 class Simulator {
  public:
-  /// Everything stands. The first frame is captured at setup.start. Throws std::invalid_argument when a parameter is
-  /// out of its range, an id occurs twice, or something is placed outside the boards.
+  /// Everything stands. The first camera's first frame is captured at setup.start. Throws std::invalid_argument when a
+  /// parameter is out of its range, an id occurs twice, or something is placed outside the boards.
   explicit Simulator(const SimSetup& setup);
 
   /// Commands that arrive at the simulator at that time; they act from the step that begins radio.latency_s later, the
@@ -70,8 +70,9 @@ class Simulator {
  private:
   void step_once();
   void move_robots();
+  void part_robots();
   void move_ball();
-  void look();
+  void look_if_due();
   Time on_grid(Time time) const;
   void check_place(const Vec2& position_m, double radius_m, const std::string& who) const;
 
@@ -82,12 +83,13 @@ class Simulator {
   Time now_;
   bool robots_collide_;
   std::vector<RobotBody> robots_;   // sorted by id
+  std::vector<Vec2> before_m_;      // where each was when the step began
   std::vector<Time> kicker_ready_;  // per robot
   BallBody ball_;
   CommandLink link_;
   NearPairs near_;
   ContactLog contacts_;
-  Camera camera_;
+  std::vector<Camera> cameras_;
   std::deque<VisionFrame> frames_;  // captured, not taken yet
 };
 

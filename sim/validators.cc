@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "sim/rule_validators.h"
+
 namespace regista {
 namespace {
 
@@ -144,6 +146,7 @@ std::vector<Validator> validators_of(const Scenario& scenario, const RobotLimits
   if (scenario.expect.opponent_contacts_max >= 0) {
     validators.push_back(opponent_contacts_at_most(scenario.expect.opponent_contacts_max));
   }
+  for (Validator& validator : rule_validators(scenario, limits)) validators.push_back(std::move(validator));
   return validators;
 }
 

@@ -52,6 +52,12 @@ class BallFilter {
   /// Takes in a detection of `captured` <= time(): older than the estimate, it is compared with where the ball was.
   void correct(const Vec2& detected_m, Time captured, const BallFilterParams& params);
 
+  /// Puts the estimate elsewhere, as when the frame it is told in moves; velocity and certainty stay.
+  void shift(const Vec2& by_m) {
+    x_.value += by_m.x();
+    y_.value += by_m.y();
+  }
+
   /// The estimate at time().
   BallState state(Duration age) const;
 

@@ -72,6 +72,12 @@ class RobotFilter {
   /// Takes in a detection of `captured` <= time(): older than the estimate, it is compared with where the robot was.
   void correct(const Pose& detected, Time captured, const RobotFilterParams& params);
 
+  /// Puts the estimate elsewhere, as when the frame it is told in moves; velocity and certainty stay.
+  void shift(const Vec2& by_m) {
+    x_.value += by_m.x();
+    y_.value += by_m.y();
+  }
+
   /// The estimate at time().
   RobotState state(RobotId id, Duration age) const;
 

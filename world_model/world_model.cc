@@ -1,6 +1,7 @@
 #include "world_model/world_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -52,6 +53,7 @@ FrameResult WorldModel::add_frame(const VisionFrame& frame) {
   if (result == FrameResult::restarted) {
     robots_.clear();
     ball_.reset();
+    alignment_ = {};  // another field, or another simulator
   } else if (result != FrameResult::taken) {
     return result;
   }
@@ -71,57 +73,109 @@ void WorldModel::take_robots(const VisionFrame& frame) {
   for (const RobotDetection* first = robots.data(); first != end;) {
     const RobotDetection* last =
         std::find_if(first, end, [&](const RobotDetection& other) { return other.id != first->id; });
-    take_robot(first, last, frame.captured);
+    take_robot(first, last, frame.camera, frame.captured);
     first = last;
   }
 }
 
 /// All detections of one id in one frame, the most confident first: the one nearest to the prediction is the robot.
-void WorldModel::take_robot(const RobotDetection* first, const RobotDetection* last, Time captured) {
+void WorldModel::take_robot(const RobotDetection* first, const RobotDetection* last, std::uint32_t camera,
+                            Time captured) {
   const auto found = robots_.find(first->id);
   if (found == robots_.end()) {
-    robots_.emplace(first->id, RobotTrack{RobotFilter(first->pose, captured, params_.robot), captured});
+    const Sight sight{camera, captured, first->pose.position_m};
+    const RobotFilter filter(unshifted(first->pose, camera), captured, params_.robot);
+    robots_.emplace(first->id, RobotTrack{filter, captured, sight, alignment_.shift_m(camera)});
     return;
   }
   RobotTrack& track = found->second;
+  follow_shift(track, track.sight.camera);
   track.filter.advance(captured, commands_of(track, captured), params_.robot);
-  const Pose& pose = std::min_element(first, last, [&](const RobotDetection& a, const RobotDetection& b) {
-                       return track.filter.distance_m(a.pose, captured) < track.filter.distance_m(b.pose, captured);
+  const auto distance_m = [&](const RobotDetection& seen) {
+    return track.filter.distance_m(unshifted(seen.pose, camera), captured);
+  };
+  const Pose& seen = std::min_element(first, last, [&](const RobotDetection& a, const RobotDetection& b) {
+                       return distance_m(a) < distance_m(b);
                      })->pose;
-  if (track.filter.accepts(pose, captured, params_.robot)) {
-    track.guard.accepted();
-    track.filter.correct(pose, captured, params_.robot);
-  } else if (captured >= track.filter.time() &&
-             track.guard.refused(pose.position_m, captured, params_.robot.gate_m, 2.0 * params_.robot.speed_sigma_mps,
-                                 params_.teleport_detections)) {
-    track.filter = RobotFilter(pose, captured, params_.robot);
-  } else {
-    return;
-  }
+  const Sight sight{camera, captured, seen.position_m};
+  if (!correct(track, seen, sight)) return;
+  track.sight = sight;
+  track.shift_m = alignment_.shift_m(camera);
   track.seen = std::max(track.seen, captured);
   ++track.sightings;
+}
+
+/// Takes the detection in, or begins anew where it and those before show that the robot is elsewhere. False: ignored.
+bool WorldModel::correct(RobotTrack& track, const Pose& seen, const Sight& sight) {
+  const Pose pose = unshifted(seen, sight.camera);
+  if (track.filter.accepts(pose, sight.captured, params_.robot)) {
+    track.guard.accepted();
+    compare_cameras(track, sight);
+    follow_shift(track, track.sight.camera);
+    track.filter.correct(unshifted(seen, sight.camera), sight.captured, params_.robot);
+    return true;
+  }
+  if (sight.captured < track.filter.time() ||
+      !track.guard.refused(pose.position_m, sight.captured, params_.robot.gate_m, 2.0 * params_.robot.speed_sigma_mps,
+                           params_.teleport_detections)) {
+    return false;
+  }
+  track.filter = RobotFilter(pose, sight.captured, params_.robot);
+  return true;
+}
+
+Pose WorldModel::unshifted(const Pose& seen, std::uint32_t camera) const {
+  return {seen.position_m - alignment_.shift_m(camera), seen.heading_rad};
+}
+
+/// A robot seen by one camera and shortly after by another tells how both lie beside each other, once its velocity is
+/// known so well that the way in between is no matter.
+void WorldModel::compare_cameras(const RobotTrack& track, const Sight& sight) {
+  const Sight& before = track.sight;
+  const double apart_s = to_seconds(sight.captured - before.captured);
+  if (!params_.cameras.learn || before.camera == sight.camera || std::abs(apart_s) > params_.cameras.pair_within_s) {
+    return;
+  }
+  const double way_sigma_m = std::sqrt(track.filter.x().rate_variance) * std::abs(apart_s);
+  constexpr double kNoMatter = 0.25;  // of the sights' own noise: a sixteenth of the variance
+  if (way_sigma_m > kNoMatter * params_.cameras.pair_sigma_m) return;
+  const Vec2 velocity_mps(track.filter.x().rate, track.filter.y().rate);
+  alignment_.compare(before.camera, before.place_m + apart_s * velocity_mps, sight.camera, sight.place_m,
+                     params_.cameras);
+}
+
+/// What is newly known of a camera moves what it saw, and that is no motion.
+template <class Track>
+void WorldModel::follow_shift(Track& track, std::uint32_t camera) const {
+  const Vec2 shift_m = alignment_.shift_m(camera);
+  track.filter.shift(track.shift_m - shift_m);
+  track.shift_m = shift_m;
 }
 
 void WorldModel::take_ball(const VisionFrame& frame) {
   if (frame.balls.empty()) return;
   const Time captured = frame.captured;
+  const Vec2 shift_m = alignment_.shift_m(frame.camera);
   if (!ball_) {
     const auto best =
         std::min_element(frame.balls.begin(), frame.balls.end(), [](const BallDetection& a, const BallDetection& b) {
           return rank(a.position_m, a.confidence) < rank(b.position_m, b.confidence);
         });
-    ball_.emplace(BallTrack{BallFilter(best->position_m, captured, params_.ball), captured});
+    ball_.emplace(
+        BallTrack{BallFilter(best->position_m - shift_m, captured, params_.ball), captured, frame.camera, shift_m});
     return;
   }
+  follow_shift(*ball_, ball_->camera);
   BallFilter& filter = ball_->filter;
   filter.advance(captured, params_.ball);
   const auto distance = [&](const BallDetection& ball) {
-    return std::tuple(filter.distance_m(ball.position_m, captured), rank(ball.position_m, ball.confidence));
+    return std::tuple(filter.distance_m(ball.position_m - shift_m, captured), rank(ball.position_m, ball.confidence));
   };
   const Vec2 position_m =
-      std::min_element(frame.balls.begin(), frame.balls.end(), [&](const BallDetection& a, const BallDetection& b) {
-        return distance(a) < distance(b);
-      })->position_m;
+      std::min_element(frame.balls.begin(), frame.balls.end(),
+                       [&](const BallDetection& a, const BallDetection& b) { return distance(a) < distance(b); })
+          ->position_m -
+      shift_m;
   if (filter.accepts(position_m, captured, params_.ball)) {
     ball_->guard.accepted();
     filter.correct(position_m, captured, params_.ball);
@@ -132,6 +186,8 @@ void WorldModel::take_ball(const VisionFrame& frame) {
   } else {
     return;
   }
+  ball_->camera = frame.camera;
+  ball_->shift_m = shift_m;
   ball_->seen = std::max(ball_->seen, captured);
   ++ball_->sightings;
 }
@@ -190,7 +246,8 @@ WorldState WorldModel::state() {
   world.captured = *gate_.newest();
   world.valid_at = world.captured + from_seconds(params_.latency_s);
   world.robots.reserve(robots_.size());
-  for (const auto& [id, track] : robots_) {
+  for (auto& [id, track] : robots_) {
+    follow_shift(track, track.sight.camera);
     if (track.sightings < params_.believed_after) continue;
     RobotFilter filter = track.filter;
     filter.advance(world.captured, commands_of(track, world.captured), params_.robot);
@@ -205,6 +262,7 @@ WorldState WorldModel::state() {
     world.robots.push_back(robot);
   }
   if (ball_ && ball_->sightings >= params_.believed_after) {
+    follow_shift(*ball_, ball_->camera);
     BallFilter filter = ball_->filter;
     filter.advance(world.valid_at, params_.ball);
     world.ball = filter.state(world.captured - ball_->seen);

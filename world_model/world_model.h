@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "world_model/ball_filter.h"
+#include "world_model/camera_alignment.h"
 #include "world_model/frame_gate.h"
 #include "world_model/params.h"
 #include "world_model/robot_filter.h"
@@ -21,6 +22,7 @@ struct WorldModelParams {
   RobotFilterParams robot;
   BallFilterParams ball;
   FrameGateParams frames;
+  CameraAlignmentParams cameras;
   double robot_lost_after_s = 0.5;
   double ball_lost_after_s = 1.0;
   double unconfirmed_lost_after_s = 0.05;  // a few frames: a false detection that returns twice a second stays one
@@ -40,6 +42,7 @@ struct WorldModelParams {
     v.group("robot", self.robot);
     v.group("ball", self.ball);
     v.group("frames", self.frames);
+    v.group("cameras", self.cameras);
     v("robot_lost_after_s", self.robot_lost_after_s, Range{0.0, 60.0}, "s", "a robot unseen for longer is gone");
     v("ball_lost_after_s", self.ball_lost_after_s, Range{0.0, 60.0}, "s", "a ball unseen for longer is gone");
     v("unconfirmed_lost_after_s", self.unconfirmed_lost_after_s, Range{0.0, 60.0}, "s",
@@ -80,9 +83,17 @@ class WorldModel {
   WorldState state();
 
  private:
+  /// What one camera saw of a robot, before its shift was taken off.
+  struct Sight {
+    std::uint32_t camera = 0;
+    Time captured{};
+    Vec2 place_m = Vec2::Zero();
+  };
   struct RobotTrack {
     RobotFilter filter;
     Time seen{};
+    Sight sight{};                // the last one taken in
+    Vec2 shift_m = Vec2::Zero();  // taken for its camera's in the estimate
     std::int64_t sightings = 1;
     TeleportGuard guard{};
     std::vector<SentVelocity> sent{};  // to this robot, sorted by capture time
@@ -90,18 +101,26 @@ class WorldModel {
   struct BallTrack {
     BallFilter filter;
     Time seen{};
+    std::uint32_t camera = 0;     // that saw it last
+    Vec2 shift_m = Vec2::Zero();  // taken for its camera's in the estimate
     std::int64_t sightings = 1;
     TeleportGuard guard{};
   };
 
   void take_robots(const VisionFrame& frame);
-  void take_robot(const RobotDetection* first, const RobotDetection* last, Time captured);
+  void take_robot(const RobotDetection* first, const RobotDetection* last, std::uint32_t camera, Time captured);
+  bool correct(RobotTrack& track, const Pose& seen, const Sight& sight);
+  Pose unshifted(const Pose& seen, std::uint32_t camera) const;
+  void compare_cameras(const RobotTrack& track, const Sight& sight);
+  template <class Track>
+  void follow_shift(Track& track, std::uint32_t camera) const;
   void take_ball(const VisionFrame& frame);
   void remove_lost();
   CommandModel commands_of(const RobotTrack& track, Time at) const;
 
   WorldModelParams params_;
   FrameGate gate_;
+  CameraAlignment alignment_;
   std::map<RobotId, RobotTrack> robots_;
   std::optional<BallTrack> ball_;
   std::uint64_t sequence_ = 0;

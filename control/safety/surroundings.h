@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "planning/obstacle.h"
+#include "planning/game_situation.h"
 #include "world_model/types/field.h"
+#include "world_model/types/world_state.h"
 
 namespace regista {
 
@@ -15,9 +17,10 @@ struct Surroundings {
   bool operator==(const Surroundings&) const = default;
 };
 
-/// The boards around the field, for robots of that radius.
-inline Surroundings surroundings_of(const FieldGeometry& field, double radius_m) {
-  return {half_extent(field, radius_m), {}};
-}
+/// The boards around the field, goals' walls, defence areas and what the rules keep robots out of in that situation: the
+/// same shapes as planning's with less margin, what must not happen and not what is better avoided. Throws as
+/// static_obstacles does.
+Surroundings surroundings_of(Team team, const FieldGeometry& field, const WorldState& world,
+                             const Situation& situation, double robot_radius_m);
 
 }  // namespace regista

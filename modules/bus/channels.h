@@ -8,6 +8,7 @@
 #include "planning/graph/graph_picture.h"
 #include "planning/plan.h"
 #include "planning/targets.h"
+#include "world_model/types/game_state.h"
 #include "world_model/types/vision_frame.h"
 #include "world_model/types/world_state.h"
 
@@ -25,6 +26,7 @@ inline std::string of(const char* base, Team team) { return std::string(base) + 
 
 inline Channel<VisionFrame> vision() { return {"VISION"}; }
 inline Channel<FieldAnnouncement> geometry() { return {"GEOMETRY"}; }
+inline Channel<GameState> referee() { return {"REFEREE"}; }
 inline Channel<WorldState> world_state() { return {"WORLD_STATE"}; }
 inline Channel<WorldState> truth() { return {"TRUTH"}; }
 inline Channel<Targets> targets(Team team) { return {of("TARGETS", team)}; }

@@ -22,6 +22,7 @@ ControllerModule::ControllerModule(Bus& bus, Team team, const ControllerModulePa
       stopwatch_(std::move(stopwatch)),
       world_(bus, channels::world_state()),
       geometry_(bus, channels::geometry()),
+      referee_(bus, channels::referee()),
       plan_listener_(bus, channels::plans(team), [this](RobotPlan plan) { keep(std::move(plan)); }) {
   expose<ControllerModuleParams>(params_, [this](const ControllerModuleParams& changed) {
     controller_.set_params(changed.control);
@@ -96,9 +97,10 @@ void ControllerModule::command(Time now) {
   if (dt_s <= 0.0) dt_s = params_.control.period_s;  // the source of vision has begun anew
   last_captured_ = world.captured;
   braked_at_.reset();
-  Surroundings around;
-  if (geometry_.newest() != nullptr) {
-    around = surroundings_of(geometry_.newest()->field, params_.control.limits.radius_m);
+  const Situation situation = situation_.update(referee_.newest(), world);
+  Surroundings around;  // unknown until the field is
+  if (const FieldAnnouncement* geometry = geometry_.newest()) {
+    around = surroundings_of(team_, geometry->field, world, situation, params_.control.limits.radius_m);
   }
   publish(controller_.update(world, fresh_plans(now), dt_s, around));
   bus().publish(channels::timing(name()), Timing{world.captured, name(), stopwatch_() - begin_ns, {}});

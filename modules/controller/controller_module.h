@@ -1,5 +1,5 @@
-// WORLD_STATE, GEOMETRY and PLAN in, COMMANDS out. Ticks when the set of plans for the newest world state is complete, or at its
-// deadline with the plans it has; brakes when plans or world go quiet.
+// WORLD_STATE, GEOMETRY, REFEREE and PLAN in, COMMANDS out. Ticks when the set of plans for the newest world state is
+// complete, or at its deadline with the plans it has; brakes when plans or world go quiet.
 #pragma once
 
 #include <map>
@@ -55,6 +55,8 @@ class ControllerModule : public Module {
   Stopwatch stopwatch_;
   Mailbox<WorldState> world_;
   Mailbox<FieldAnnouncement> geometry_;
+  Mailbox<GameState> referee_;
+  SituationWatch situation_;
   Listener<RobotPlan> plan_listener_;
   std::map<std::uint16_t, KeptPlan> plans_;
   std::optional<Time> last_captured_;  ///< of the world the last command was made from

@@ -23,7 +23,8 @@ PlannerModule::PlannerModule(Bus& bus, Team team, const PlannerModuleParams& par
       stopwatch_(std::move(stopwatch)),
       world_(bus, channels::world_state()),
       geometry_(bus, channels::geometry()),
-      targets_(bus, channels::targets(team)) {
+      targets_(bus, channels::targets(team)),
+      referee_(bus, channels::referee()) {
   planner_.use(params.use);
   expose<PlannerModuleParams>(params_, [this](const PlannerModuleParams& changed) {
     if (changed.use != params_.use) planner_.use(changed.use);  // the only step that may throw
@@ -54,9 +55,10 @@ std::string PlannerModule::note() const {
 void PlannerModule::on_tick(Time) {
   if (!world_.fresh()) return;
   const WorldState& world = *world_.take();
+  const Situation situation = situation_.update(referee_.newest(), world);
   if (waits_for() != nullptr) return;  // no plan: the controller brakes at its deadline
   const std::int64_t begin_ns = stopwatch_();
-  const TeamPlans plans = planner_.plan(geometry_.newest()->field, world, *targets_.newest(), &stopwatch_);
+  const TeamPlans plans = planner_.plan(geometry_.newest()->field, world, *targets_.newest(), &stopwatch_, situation);
   Timing timing{world.captured, name(), stopwatch_() - begin_ns, {}};
   for (std::size_t i = 0; i < plans.plans.size(); ++i) {
     bus().publish(channels::plan(plans.plans[i].robot), plans.plans[i]);

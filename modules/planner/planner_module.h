@@ -1,5 +1,5 @@
-// WORLD_STATE, GEOMETRY and TARGETS in, one PLAN per robot of a team out, from the graph the team shares. The planner
-// is swapped between ticks by the request "planner.use".
+// WORLD_STATE, GEOMETRY, TARGETS and, where one is heard, REFEREE in, one PLAN per robot of a team out, from the graph
+// the team shares. The planner is swapped between ticks by the request "planner.use".
 #pragma once
 
 #include "modules/bus/module.h"
@@ -45,6 +45,8 @@ class PlannerModule : public Module {
   Mailbox<WorldState> world_;
   Mailbox<FieldAnnouncement> geometry_;
   Mailbox<Targets> targets_;
+  Mailbox<GameState> referee_;
+  SituationWatch situation_;
   std::optional<Time> graph_published_;
 };
 

@@ -16,7 +16,7 @@ struct Section {
 };
 constexpr std::array kSections{
     Section{"scenario"},         Section{"sim"},        Section{"world_model"}, Section{"planner", true},
-    Section{"controller", true}, Section{"ssl_vision"}, Section{"ssl_radio"}};
+    Section{"controller", true}, Section{"ssl_vision"}, Section{"ssl_referee"}, Section{"ssl_radio"}};
 
 bool names_a_team(std::string_view rest) { return rest.starts_with("yellow.") || rest.starts_with("blue."); }
 

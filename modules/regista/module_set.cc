@@ -8,7 +8,8 @@ namespace {
 bool is_wanted(const std::string& module, const LaunchOptions& options) {
   if (std::count(options.left_out.begin(), options.left_out.end(), module) > 0) return false;
   if (module == "sim") return !options.real_field;
-  if (module == "ssl-vision" || module == "ssl-radio") return options.real_field;
+  if (module == "ssl-referee" && options.stated_referee) return false;
+  if (module.starts_with("ssl-")) return options.real_field;
   if (module == "viewer") return options.viewer;
   return true;
 }
@@ -31,8 +32,8 @@ ChildSpec spec_of(const std::string& module, const std::string& team, const Laun
 }  // namespace
 
 const std::vector<std::string>& module_names() {
-  static const std::vector<std::string> names{"sim",  "ssl-vision", "ssl-radio",  "world-model",
-                                              "task", "planner",    "controller", "viewer"};
+  static const std::vector<std::string> names{"sim",  "ssl-vision", "ssl-referee", "ssl-radio", "world-model",
+                                              "task", "planner",    "controller",  "viewer"};
   return names;
 }
 

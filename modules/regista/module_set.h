@@ -18,7 +18,8 @@ struct LaunchOptions {
   std::string scenario;  ///< as typed: a file, a shipped name, or empty for the modules' defaults
   std::string lcm_url;
   std::vector<std::string> settings;  ///< section.key=value
-  bool real_field = false;            ///< ssl-vision and ssl-radio in place of sim
+  bool real_field = false;            ///< ssl-vision, ssl-referee and ssl-radio in place of sim
+  bool stated_referee = false;        ///< the task says what the referee says, so ssl-referee stays away
   bool viewer = false;
   std::vector<std::string> left_out;  ///< names without team: "planner" leaves out both
 };

@@ -12,6 +12,7 @@
 #include "modules/regista/plan.h"
 #include "modules/regista/planner.h"
 #include "modules/regista/record.h"
+#include "modules/regista/referee.h"
 #include "modules/regista/replay.h"
 #include "modules/regista/run.h"
 #include "modules/regista/spy.h"
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   regista::add_planner(app, action);
   regista::add_param(app, action);
   regista::add_goto(app, action);
+  regista::add_referee(app, action);
   regista::add_record(app, action);
   regista::add_replay(app, action);
   regista::add_spy(app, action);

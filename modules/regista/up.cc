@@ -13,6 +13,7 @@
 #include "modules/regista/external_tool.h"
 #include "modules/regista/launcher.h"
 #include "modules/ssl/ssl_radio_module.h"
+#include "modules/ssl/ssl_referee_module.h"
 #include "modules/ssl/ssl_vision_module.h"
 
 namespace regista {
@@ -29,6 +30,8 @@ void check_all_parameters(const Config& config) {
   check_parameters(config);
   SslVisionParams vision;
   config.apply("ssl_vision", vision);
+  SslRefereeParams referee;
+  config.apply("ssl_referee", referee);
   SslRadioParams radio;
   config.apply("ssl_radio", radio);
 }
@@ -39,6 +42,7 @@ int up(Flags flags) {
   const Config config = Config::load(file, flags.launch.settings);
   check_all_parameters(config);
   flags.launch.real_field = config.scenario().field_source == "ssl";
+  flags.launch.stated_referee = !config.scenario().referee.empty();
   for (const auto& [module, left_out] : flags.without) {
     if (left_out) flags.launch.left_out.push_back(module);
   }

@@ -41,6 +41,11 @@ ControllerModuleParams controller_params_of(const Config& config, Team team) {
   ControllerModuleParams params;
   if (is_simulated(config)) params.control.drive_lag_s = sim_params_of(config).velocity_lag_s;
   config.apply("controller", params, name(team));
+  try {
+    TeamWheels(params.control.wheels, params.control.robot_wheels);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(std::string("controller: ") + error.what());
+  }
   return params;
 }
 

@@ -32,11 +32,13 @@ TaskModule::TaskModule(Bus& bus, const Scenario& scenario)
     teams_.push_back({team, make_task(scenario, team), {}, {}, {}});
     teams_.back().last.team = team;
   }
+  game_ = stated_game(scenario);
   expose<Scenario>(scenario_, [](const Scenario&) {
     throw RequestRefused("the scenario is fixed when the task starts: restart it with --set");
   });
   answer("task.goto", [this](const Request& request) { return go_to(request); });
   answer("task.release", [this](const Request& request) { return release(request); });
+  answer("task.referee", [this](const Request& request) { return referee(request); });
 }
 
 std::string TaskModule::note() const { return world_.newest() == nullptr ? "waiting for WORLD_STATE" : ""; }
@@ -49,7 +51,16 @@ std::int64_t TaskModule::reached(Team team) const {
 void TaskModule::on_tick(Time now) {
   if (!world_.fresh()) return;
   const WorldState& world = *world_.take();
+  publish_referee_if_due(now);
   for (TeamTask& team : teams_) publish_if_due(team, world, now);
+}
+
+void TaskModule::publish_referee_if_due(Time now) {
+  if (!game_ || (referee_published_ && now - *referee_published_ < kRepeatEvery)) return;
+  if (!referee_published_) game_->commanded = now;
+  referee_published_ = now;
+  game_->sent = now;
+  bus().publish(channels::referee(), *game_);
 }
 
 void TaskModule::publish_if_due(TeamTask& team, const WorldState& world, Time now) {
@@ -88,6 +99,24 @@ std::string TaskModule::release(const Request& request) {
     if (team.team == robot.team) team.orders.erase(robot.number);
   }
   return request.key + " follows the task again";
+}
+
+std::string TaskModule::referee(const Request& request) {
+  const auto named = parse_command(request.key);
+  if (!named) {
+    std::string known;
+    for (const std::string& text : command_texts()) known += (known.empty() ? "" : ", ") + text;
+    throw RequestRefused("'" + request.key + "' is no command of a referee, there are: " + known);
+  }
+  GameState game = game_.value_or(GameState{});
+  game.command = named->command;
+  game.team = named->team;
+  ++game.command_counter;
+  game.placement_m.reset();
+  if (!request.value.empty()) game.placement_m = parse_pose(request.value).position_m;
+  game_ = game;
+  referee_published_.reset();
+  return "the referee says " + request.key;
 }
 
 }  // namespace regista

@@ -1,4 +1,5 @@
-// WORLD_STATE in, TARGETS of both teams out: the scenario's task, and orders from people ("task.goto").
+// WORLD_STATE in, TARGETS of both teams out: the scenario's task, and orders from people ("task.goto"). Where the
+// scenario or a person ("task.referee") states what the referee says, REFEREE out too.
 #pragma once
 
 #include <map>
@@ -31,12 +32,16 @@ class TaskModule : public Module {
   };
 
   void publish_if_due(TeamTask& team, const WorldState& world, Time now);
+  void publish_referee_if_due(Time now);
   std::string go_to(const Request& request);
   std::string release(const Request& request);
+  std::string referee(const Request& request);
 
   Scenario scenario_;
   Mailbox<WorldState> world_;
   std::vector<TeamTask> teams_;
+  std::optional<GameState> game_;          ///< what the referee says; empty: nothing
+  std::optional<Time> referee_published_;  ///< when last; empty: what it says now is not published yet
 };
 
 }  // namespace regista

@@ -69,6 +69,36 @@ TEST_CASE("odometry averages a slipping wheel: no other velocity explains the wh
   }
 }
 
+TEST_CASE("four bearings of their own, where they are given") {
+  WheelGeometry given;
+  given.bearings_rad = "0.9948376736367679,2.356194490192345,-2.356194490192345,-0.9948376736367679";
+  const BodyVelocity v{0.7, -1.2, 3.0};
+  const WheelSpeeds mirrored = OmniWheels{WheelGeometry{}}.speeds(v);
+  const WheelSpeeds same = OmniWheels{given}.speeds(v);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(same[i] == Approx(mirrored[i]));
+  Dice dice(23);
+  for (int i = 0; i < 500; ++i) {
+    WheelGeometry any;
+    const std::array<double, 4> bearings{dice.uniform(0.3, 1.3), dice.uniform(1.8, 2.8), dice.uniform(-2.8, -1.8),
+                                         dice.uniform(-1.3, -0.3)};
+    for (const double bearing : bearings) {
+      any.bearings_rad += (any.bearings_rad.empty() ? "" : ",") + std::to_string(bearing);
+    }
+    const OmniWheels wheels{any};
+    const WheelSpeeds speeds = wheels.speeds({1.0, 0.0, 0.0});
+    for (std::size_t w = 0; w < 4; ++w) CHECK(speeds[w] == Approx(-std::sin(bearings[w]) / 0.0305).margin(1e-4));
+    const BodyVelocity back = wheels.velocity(wheels.speeds(v));
+    CHECK(back.left_mps == Approx(v.left_mps));
+    CHECK(back.angular_radps == Approx(v.angular_radps));
+  }
+  for (const char* bad :
+       {"1", "1,2,-2", "1,2,-2,-1,0", "1,2,-2,x", "1,2,-2,nan", "1,2,-2,", "1;2;-2;-1", "9,2,-2,-1"}) {
+    CAPTURE(bad);
+    given.bearings_rad = bad;
+    CHECK_THROWS_WITH(OmniWheels{given}, Catch::Contains(bad));
+  }
+}
+
 TEST_CASE("the limit scales all wheels together") {
   const OmniWheels wheels{WheelGeometry{}};
   CHECK(wheels.scale_to_limit({100.0, -160.0, 0.0, 3.0}) == 1.0);

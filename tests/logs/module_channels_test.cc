@@ -27,6 +27,8 @@ TEST_CASE("every module's channels are its own") {
   CHECK(is_output("world-model", channels::world_state().name));
   CHECK(is_output("world-model", channels::timing("world-model").name));
   CHECK(is_output("task", channels::targets(Team::blue).name));
+  CHECK(is_output("task", channels::referee().name));
+  CHECK(is_output("ssl-referee", channels::referee().name));
   CHECK(is_output("planner.Y", channels::plan({Team::yellow, 11}).name));
   CHECK(is_output("planner.Y", channels::graph(Team::yellow).name));
   CHECK(is_output("planner.Y", channels::status("planner.Y").name));

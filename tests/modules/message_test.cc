@@ -71,6 +71,7 @@ void check_all(std::size_t lists) {
 
 TEST_CASE("VISION survives the wire") { check_all<VisionFrame>(2); }
 TEST_CASE("GEOMETRY survives the wire") { check_all<FieldAnnouncement>(0); }
+TEST_CASE("REFEREE survives the wire") { check_all<GameState>(0); }
 TEST_CASE("WORLD_STATE survives the wire") { check_all<WorldState>(2); }
 TEST_CASE("TARGETS survives the wire") { check_all<Targets>(1); }
 TEST_CASE("PLAN survives the wire") { check_all<RobotPlan>(1); }
@@ -108,4 +109,15 @@ TEST_CASE("an edge that leads out of the graph is refused") {
   GraphPicture graph = samples::make<GraphPicture>(source);
   graph.edges.push_back({0, static_cast<std::uint32_t>(graph.nodes.size()), false});
   CHECK_THROWS_WITH(decode<GraphPicture>(encode(graph)), Catch::Contains("leads out"));
+}
+
+TEST_CASE("a command without its team, or a team without its command, is refused") {
+  GameState game;
+  game.command = GameCommand::kick_off;
+  CHECK_THROWS_WITH(decode<GameState>(encode(game)), Catch::Contains("command_team"));
+  game.command = GameCommand::stop;
+  game.team = Team::blue;
+  CHECK_THROWS_WITH(decode<GameState>(encode(game)), Catch::Contains("command_team"));
+  game.team.reset();
+  CHECK(decode<GameState>(encode(game)) == game);
 }

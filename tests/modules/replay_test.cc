@@ -51,7 +51,10 @@ TEST_CASE("a configuration that is refused costs no older log") {
 TEST_CASE("a log replayed into fresh modules gives the recorded outputs, byte for byte") {
   const TemporaryFolder folder;
   const std::string log = folder.path("run.lcmlog");
-  const Config config = crossing({"scenario.duration_s=3", "scenario.expect.targets_per_team_min=0"});
+  const std::string referee = GENERATE("", "direct_free_kick_blue");
+  CAPTURE(referee);
+  const Config config =
+      crossing({"scenario.duration_s=3", "scenario.expect.targets_per_team_min=0", "scenario.referee=" + referee});
   run_scenario(config, {.log_file = log}, no_time);
 
   const auto check = [&](const std::string& outputs, const std::function<void(LockStep&)>& add) {
@@ -61,7 +64,7 @@ TEST_CASE("a log replayed into fresh modules gives the recorded outputs, byte fo
     CHECK(first_difference(replay) == "");
   };
   check("WORLD_STATE", [&](LockStep& loop) { add_world_model(loop, config, no_time); });
-  check("TARGETS\\..", [&](LockStep& loop) { add_task(loop, config); });
+  check("TARGETS\\..|REFEREE", [&](LockStep& loop) { add_task(loop, config); });
   check("(PLAN|GRAPH)\\.Y.*", [&](LockStep& loop) { add_planner(loop, config, Team::yellow, no_time); });
   check("COMMANDS\\.B", [&](LockStep& loop) { add_controller(loop, config, Team::blue, no_time); });
   check("(PLAN|GRAPH|COMMANDS)\\..*", [&](LockStep& loop) {

@@ -37,6 +37,23 @@ FieldAnnouncement make(Source& s) {
 }
 
 template <>
+GameState make(Source& s) {
+  GameState game;
+  game.sent = time(s);
+  game.stage = static_cast<GameStage>(s.below(14));
+  game.command = static_cast<GameCommand>(s.below(11));
+  if (is_of_a_team(game.command)) game.team = team(s);
+  game.command_counter = static_cast<std::uint32_t>(s.below(1U << 31U));
+  game.commanded = time(s);
+  if (s.coin()) game.placement_m = point(s);
+  for (TeamRecord* record : {&game.yellow, &game.blue}) {
+    *record = {static_cast<std::uint16_t>(s.below(65536)), static_cast<std::uint32_t>(s.below(11)),
+               static_cast<std::uint32_t>(s.below(3)), static_cast<std::uint32_t>(s.below(3))};
+  }
+  return game;
+}
+
+template <>
 WorldState make(Source& s) {
   WorldState world{time(s), time(s), s.below(1'000'000), {}, {}};
   for (std::uint64_t i = length(s), number = 0; i > 0; --i, number += 1 + s.below(1000)) {

@@ -64,7 +64,7 @@ TEST_CASE("up plays a shipped scenario where none is named, and says which") {
 TEST_CASE("up checks the parameters of all modules before it starts any") {
   for (const char* setting :
        {"planner.nonsense=1", "planner.yellow.use=nonsense", "controller.blue.nonsense=1", "sim.nonsense=1",
-        "world_model.nonsense=1", "ssl_vision.port=0", "ssl_radio.nonsense=1"}) {
+        "world_model.nonsense=1", "ssl_vision.port=0", "ssl_referee.port=0", "ssl_radio.nonsense=1"}) {
     const RunResult result = regista({"up", "--for", "0.1", "--lcm-url", private_bus(), "--set", setting});
     INFO(setting << ": " << result.error);
     CHECK(result.status == 1);

@@ -34,6 +34,9 @@ TEST_CASE("wrong usage is answered in one line and status 2") {
                                                     {"goto", "Y3"},
                                                     {"goto", "Y3", "1", "2", "--release"},
                                                     {"goto", "Y3", "east", "2"},
+                                                    {"referee"},
+                                                    {"referee", "dance"},
+                                                    {"referee", "ball_placement_blue", "1"},
                                                     {"replay"},
                                                     {"replay", "f", "--speed", "0"},
                                                     {"replay", "f", "--into", "nonsense"},
@@ -66,7 +69,8 @@ TEST_CASE("errors that are no usage are one line and status 1") {
 }
 
 TEST_CASE("help is help") {
-  for (const char* subcommand : {"up", "run", "planner", "param", "goto", "record", "replay", "spy", "log", "plan"}) {
+  for (const char* subcommand :
+       {"up", "run", "planner", "param", "goto", "referee", "record", "replay", "spy", "log", "plan"}) {
     const RunResult result = regista({subcommand, "--help"});
     CHECK(result.status == 0);
     CHECK(result.out.size() > 50);

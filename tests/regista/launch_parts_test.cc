@@ -29,8 +29,11 @@ TEST_CASE("a real field takes the place of the simulator") {
   options.real_field = true;
   const auto modules = names(options);
   CHECK(has(modules, "ssl-vision"));
+  CHECK(has(modules, "ssl-referee"));
   CHECK(has(modules, "ssl-radio"));
   CHECK_FALSE(has(modules, "sim"));
+  options.stated_referee = true;  // one publisher per channel: the scenario's word stands
+  CHECK_FALSE(has(names(options), "ssl-referee"));
 }
 
 TEST_CASE("the viewer comes when asked for, others stay away when asked to") {

@@ -39,6 +39,12 @@ TEST_CASE("up runs the loop; a planner is swapped, parameters are set, a robot i
     CHECK_THAT(unknown.error, Catch::Contains("did you mean 'team_margin_m'"));
     CHECK(regista(url, {"param", "set", "planner.Y", "team_margin_m", "-1"}).status == 1);
   }
+  SECTION("the referee") {
+    CHECK(regista(url, {"referee", "stop"}).status == 0);
+    CHECK(ear.eventually([&] { return ear.plan()->target.speed_max_mps < 1.5; }));
+    CHECK(regista(url, {"referee", "force_start"}).status == 0);
+    CHECK(ear.eventually([&] { return ear.plan()->target.speed_max_mps > 2.0; }));
+  }
   SECTION("a robot") {
     const RunResult sent = regista(url, {"goto", "Y3", "1.5", "-0.25", "90"});
     INFO(sent.error);
@@ -83,7 +89,9 @@ TEST_CASE("a scenario of a real field starts the league's protocols in the simul
   const std::string url = private_bus();
   Ear ear(url);
   Program launcher({executable("regista"), "up", "ssl", "--lcm-url", url, "--no-task"});
-  CHECK(ear.eventually([&] { return ear.all_report({"ssl-vision", "ssl-radio", "world-model", "planner.B"}); }));
+  CHECK(ear.eventually([&] {
+    return ear.all_report({"ssl-vision", "ssl-referee", "ssl-radio", "world-model", "planner.B"});
+  }));
   CHECK(processes_with("regista-sim --lcm-url " + url).empty());
   CHECK(processes_with("regista-task --lcm-url " + url).empty());
   launcher.send(SIGINT);

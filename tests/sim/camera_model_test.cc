@@ -80,5 +80,49 @@ TEST_CASE("without noise the camera tells the truth, late by its latency") {
   CHECK(camera.next_capture() == from_us(5000 + 1'016'667));  // 61/60 s: no drift
 }
 
+TEST_CASE("cameras together see all of the field, two at most where they overlap and four where four meet") {
+  for (const std::int64_t cameras : {1, 2, 3, 4, 6, 8}) {
+    CAPTURE(cameras);
+    VisionParams params;
+    params.cameras = cameras;
+    const auto seen_by = [&](const Vec2& place) {
+      int count = 0;
+      for (std::uint32_t i = 0; i < cameras; ++i) count += sees(camera_view(division_a(), i, params), place);
+      return count;
+    };
+    double overlap_m = 0.0;  // along y = 1
+    for (double x = -6.595; x < 6.6; x += 0.01) {
+      for (const double y : {-4.7, -1.0, 1.0, 4.7}) REQUIRE(seen_by({x, y}) >= 1);
+      REQUIRE(seen_by({x, 1.0}) <= 2);
+      if (seen_by({x, 1.0}) == 2) overlap_m += 0.01;
+    }
+    const auto columns = static_cast<double>(cameras > 2 && cameras % 2 == 0 ? cameras / 2 : cameras);
+    CHECK(overlap_m == Approx((columns - 1.0) * 0.3).margin(0.011 * columns));
+    if (cameras == 4) CHECK(seen_by({0.0, 0.0}) == 4);
+  }
+}
+
+TEST_CASE("a camera is off by its own shift, the same in every frame, and sees nothing beyond its view") {
+  VisionParams params;
+  params.camera_shift_max_m = 0.02;
+  const std::vector<RobotBody> robots{{{Team::yellow, 4}, {{1.0, -2.0}, 0.5}, {}}, {{Team::blue, 0}, {{-1, 0}, 0}, {}}};
+  BallBody ball;
+  ball.position_m = {3.0, 1.0};
+  double farthest_m = 0.0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Camera camera(1, params, seed, Time{}, {{0.0, -10.0}, {10.0, 10.0}});
+    CHECK(camera.shift_m().norm() <= 0.02);
+    farthest_m = std::max(farthest_m, camera.shift_m().norm());
+    for (int i = 0; i < 3; ++i) {
+      const VisionFrame frame = camera.capture(robots, ball, camera.next_capture());
+      REQUIRE(frame.robots.size() == 1);
+      CHECK((frame.robots[0].pose.position_m - robots[0].pose.position_m - camera.shift_m()).norm() < 1e-12);
+      CHECK((frame.balls.at(0).position_m - ball.position_m - camera.shift_m()).norm() < 1e-12);
+    }
+    CHECK(camera.shift_m() == Camera(2, params, seed, Time{}).shift_m());
+  }
+  CHECK(farthest_m > 0.018);
+}
+
 }  // namespace
 }  // namespace regista

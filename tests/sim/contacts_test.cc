@@ -18,12 +18,19 @@ RobotBody body(RobotId id, const Vec2& position_m, const Vec2& velocity_mps) {
   return {id, {position_m, 0.0}, {velocity_mps, 0.0}};
 }
 
+std::vector<Vec2> places(const std::vector<RobotBody>& robots) {
+  std::vector<Vec2> out;
+  for (const RobotBody& robot : robots) out.push_back(robot.pose.position_m);
+  return out;
+}
+
+// Each moment by itself: nobody moves in its step.
 ContactLog observed(const std::vector<std::vector<RobotBody>>& moments) {
   ContactLog log(kRadius_m);
   NearPairs near;
   Time now{};
   for (const auto& robots : moments)
-    log.observe(robots, near.find(robots, log.end_distance_m()), now += Duration{1000});
+    log.observe(robots, places(robots), near.find(robots, log.end_distance_m()), now += Duration{1000});
   return log;
 }
 
@@ -100,6 +107,51 @@ TEST_CASE("a contact begins below two radii and ends 1 cm above") {
   REQUIRE(twice.contacts().size() == 2);
   CHECK(twice.contacts()[0].at == Time{Duration{1000}});
   CHECK(twice.contacts()[1].at == Time{Duration{4000}});
+}
+
+// One step of 1 ms in which both go from `before` straight to where they are.
+ContactLog stepped(const std::vector<Vec2>& before_m, const std::vector<RobotBody>& after) {
+  ContactLog log(kRadius_m);
+  log.observe(after, before_m, {{0, 1}}, Time{Duration{1000}});
+  return log;
+}
+
+TEST_CASE("who touches in the middle of a step has touched, and is judged by that moment") {
+  // Yellow shoots past blue, 0.1 m beside its centre, by 1 m in the step.
+  const RobotBody yellow = body(kYellow, {0.5, 0.1}, {1000.0, 0.0});
+  const RobotBody blue = body(kBlue, {0.0, 0.0}, {0.0, 0.0});
+  const ContactLog log = stepped({{-0.5, 0.1}, {0.0, 0.0}}, {yellow, blue});
+  REQUIRE(log.contacts().size() == 1);
+  CHECK(log.contacts()[0].fault == Fault::first);
+  CHECK(log.contacts()[0].closing_speed_mps == Approx(1000.0 * std::sqrt(0.18 * 0.18 - 0.1 * 0.1) / 0.18));
+  // The contact is over: they are far apart at the end, so the next one is a new one.
+  CHECK(stepped({{-0.5, 0.19}, {0.0, 0.0}}, {body(kYellow, {0.5, 0.19}, {1000.0, 0.0}), blue}).contacts().empty());
+  CHECK(stepped({{0.2, 0.0}, {0.0, 0.0}}, {body(kYellow, {1.0, 0.0}, {800.0, 0.0}), blue}).contacts().empty());
+}
+
+TEST_CASE("a step's contacts are those of the same step sampled densely") {
+  Random random(17);
+  const auto vector = [&random](double size) {
+    const double x = random.uniform(-size, size);
+    return Vec2(x, random.uniform(-size, size));
+  };
+  int touched = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 a_before = vector(0.3), b_before = vector(0.3);
+    const RobotBody a = body(kYellow, a_before + vector(0.5), {0, 0});
+    const RobotBody b = body(kBlue, b_before + vector(0.5), {0, 0});
+    double least_m = 1.0;
+    for (int k = 0; k <= 1000; ++k) {
+      const double s = k / 1000.0;
+      const Vec2 apart = (1.0 - s) * (b_before - a_before) + s * (b.pose.position_m - a.pose.position_m);
+      least_m = std::min(least_m, apart.norm());
+    }
+    if (std::abs(least_m - 0.18) < 1e-4) continue;  // too near to tell by sampling
+    INFO("case " << i << ", least distance " << least_m);
+    REQUIRE(stepped({a_before, b_before}, {a, b}).contacts().size() == (least_m < 0.18 ? 1 : 0));
+    touched += least_m < 0.18;
+  }
+  CHECK(touched > 500);
 }
 
 TEST_CASE("contacts are counted by team, fault only between opponents") {

@@ -90,6 +90,7 @@ TEST_CASE("a scenario's mistakes are named") {
   };
   complains("field.division", "C", "A, B or custom");
   complains("sim_preset", "loud", "realistic");
+  complains("referee", "kick_off", "kick_off_blue");
   complains("task", "dance", "random_targets or stand");
   complains("target_distance_min_m", "7", "at most half");
   complains("robots_per_team", "1000", "at most");

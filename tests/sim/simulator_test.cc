@@ -175,6 +175,65 @@ TEST_CASE("a rate that is no multiple of the step: captured at the first step af
   }
 }
 
+TEST_CASE("several cameras take turns, each at the rate, each with its own number and view") {
+  SimParams params = sim_preset("realistic");
+  params.vision.cameras = 4;
+  params.vision.robot_dropout = 0.0;
+  SimSetup setup = one_robot(params);  // at (-3, 1): in the upper left quarter
+  Simulator simulator(setup);
+  std::vector<std::int64_t> frames(4, 0);
+  Time last = Time{} - Duration{1};
+  for (int k = 0; k < 400; ++k) {
+    const Time due = simulator.next_frame_due();
+    simulator.advance_to(due);
+    for (const VisionFrame& frame : simulator.take_frames()) {
+      REQUIRE(frame.camera < 4);
+      CHECK(frame.captured > last);
+      last = frame.captured;
+      CHECK(frame.frame_number == frames[frame.camera]++);
+      CHECK(frame.robots.size() == (frame.camera == 2 ? 1 : 0));
+    }
+  }
+  CHECK(frames == std::vector<std::int64_t>(4, 100));
+  CHECK(last - Time{} < Duration{1'000'000});
+}
+
+TEST_CASE("a robot drives the gain's part of its command") {
+  SimParams params;
+  params.velocity_gain = 1.05;
+  Simulator simulator(one_robot(params));
+  for (int i = 0; i < 100; ++i) {
+    simulator.command(tell(kYellow, {0.0, 2.0, 0.0}), simulator.now());
+    simulator.advance_to(simulator.now() + Duration{10'000});
+  }
+  CHECK(simulator.truth().robots[0].twist.velocity_mps.norm() == Approx(2.1));
+  for (int i = 0; i < 100; ++i) {
+    simulator.command(tell(kYellow, {0.0, 0.0, 1.0}), simulator.now());
+    simulator.advance_to(simulator.now() + Duration{10'000});
+  }
+  CHECK(simulator.truth().robots[0].twist.angular_radps == Approx(1.05));
+  for (int i = 0; i < 100; ++i) {
+    simulator.command(tell(kYellow, {3.0, 0.0, 1.0}), simulator.now());
+    simulator.advance_to(simulator.now() + Duration{10'000});
+  }
+  CHECK(simulator.truth().robots[0].twist.velocity_mps.norm() <= params.limits.speed_max_mps + 1e-9);
+}
+
+TEST_CASE("fast robots that would jump through each other in one step touch") {
+  SimSetup setup;
+  setup.params.limits.speed_max_mps = 20.0;  // 20 mm a step: a chord of 30 mm of both discs is passed in two
+  setup.params.limits.acceleration_max_mps2 = 100.0;
+  setup.robots = {{kYellow, {{-2.0, 0.0}, 0.0}}, {kBlue, {{2.0, 0.1799}, std::numbers::pi}}};
+  setup.ball_m = {0.0, 3.0};
+  Simulator simulator(setup);
+  for (int i = 0; i < 60; ++i) {
+    simulator.command(tell(kYellow, {20.0, 0.0, 0.0}), simulator.now());
+    simulator.command(tell(kBlue, {20.0, 0.0, 0.0}), simulator.now());
+    simulator.advance_to(simulator.now() + Duration{5'000});
+  }
+  CHECK(simulator.contact_counts().opponent == 1);
+}
+
 TEST_CASE("time goes on in whole steps and never back") {
   Simulator simulator(one_robot({}));
   simulator.advance_to(from_us(2999));

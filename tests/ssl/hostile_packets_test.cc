@@ -3,11 +3,14 @@
 #include <random>
 
 #include "modules/bus/service_values.h"
+#include "modules/convert/referee.h"
 #include "modules/convert/vision.h"
 #include "modules/ssl/packet.h"
 #include "modules/ssl/ssl_geometry_convert.h"
 #include "modules/ssl/ssl_radio_convert.h"
+#include "modules/ssl/ssl_referee_convert.h"
 #include "modules/ssl/ssl_vision_convert.h"
+#include "ssl_referee.pb.h"
 #include "ssl_simulation_response.pb.h"
 #include "ssl_vision_wrapper.pb.h"
 #include "tests/ssl/packets.h"
@@ -94,6 +97,18 @@ TEST_CASE("hostile vision packets do no harm, and what passes the door passes th
       const FieldAnnouncement announcement{from_us(1), to_field_geometry(packet.geometry(), false)};
       REQUIRE(decode<FieldAnnouncement>(encode(announcement)) == announcement);
     }
+  });
+  CHECK(verdicts.taken > kPackets / 100);
+  CHECK(verdicts.refused > kPackets / 100);
+}
+
+TEST_CASE("hostile referee packets do no harm, and what passes the door passes the bus") {
+  const std::vector<std::string> good{
+      encode_referee(referee_text("STOP")),
+      encode_referee(referee_text("BALL_PLACEMENT_YELLOW", "designated_position { x: 1 y: 2 }"))};
+  const Verdicts verdicts = feed(33, good, [](const std::string& bytes) {
+    const GameState game = to_game_state(parse_packet<::Referee>(as_bytes(bytes)));
+    REQUIRE(decode<GameState>(encode(game)) == game);
   });
   CHECK(verdicts.taken > kPackets / 100);
   CHECK(verdicts.refused > kPackets / 100);

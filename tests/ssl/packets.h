@@ -26,4 +26,14 @@ inline std::string geometry_text(int length_mm = 12000, int width_mm = 9000) {
     models { straight_two_phase { acc_slide: -3.9 acc_roll: -0.35 k_switch: 0.69 } } })";
 }
 
+inline std::string referee_text(const std::string& command, const std::string& more = "") {
+  return R"(packet_timestamp: 1700000000250000 stage: NORMAL_SECOND_HALF command_counter: 77
+    command_timestamp: 1700000000000000
+    yellow { name: "one" score: 1 red_cards: 0 yellow_cards: 2 yellow_card_times: [ 5, 7 ] timeouts: 4
+      timeout_time: 300 goalkeeper: 3 }
+    blue { name: "two" score: 4 red_cards: 1 yellow_cards: 0 timeouts: 4 timeout_time: 300 goalkeeper: 15 }
+    command: )" +
+         command + " " + more;
+}
+
 }  // namespace regista

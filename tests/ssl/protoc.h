@@ -21,6 +21,10 @@ inline std::string encode_vision(const std::string& text) {
   return protoc_encode("ssl_vision_wrapper.proto", "SSL_WrapperPacket", text);
 }
 
+inline std::string encode_referee(const std::string& text) {
+  return protoc_encode("ssl_referee.proto", "Referee", text);
+}
+
 inline std::span<const std::uint8_t> as_bytes(const std::string& bytes) {
   return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }

@@ -127,6 +127,8 @@ TEST_CASE("what cannot work ends with status 1 and one line") {
       {"regista-ssl-vision", "ssl_vision.interface=no-such-card"},
       {"regista-ssl-vision", "ssl_vision.group=127.0.0.1"},
       {"regista-ssl-vision", "ssl_vision.port=0"},
+      {"regista-ssl-referee", "ssl_referee.group=10.0.0.1"},
+      {"regista-ssl-referee", "ssl_referee.prt=10003"},
   };
   for (const auto& [name, setting] : cases) {
     CAPTURE(name, setting);

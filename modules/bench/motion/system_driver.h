@@ -27,6 +27,7 @@ class SystemDriver : public Driver {
   std::span<const DriveTime> times() const override { return times_; }
 
  private:
+  Team team_;
   TeamPlanner planner_;
   Controller controller_;
   double radius_m_;
