@@ -150,6 +150,28 @@ TEST_CASE("contacts with opponents, their fault, and what they push us into") {
   CHECK(fault.at_fault >= 1);
 }
 
+/// Tells a robot to be faster than it can.
+class Reckless : public Driver {
+ public:
+  TeamCommands drive(const FieldGeometry& /*field*/, const WorldState& world, const Targets& /*targets*/,
+                     double /*dt_s*/) override {
+    RobotCommand command;
+    command.velocity.forward_mps = 4.0;
+    return {world.captured, Team::yellow, 1, world.sequence, {command}};
+  }
+};
+
+TEST_CASE("the loop sees who commands more than a robot can") {
+  LoopSetup setup = loop_setup(loop_config({}, "none"), 5);
+  setup.sim.robots = {{{Team::yellow, 0}, {Vec2::Zero(), 0.0}}};
+  setup.of(Team::yellow).driver = std::make_unique<Reckless>();
+  ClosedLoop loop(std::move(setup));
+  loop.run_for(0.5);
+  CHECK(loop.verdict().ticks == 50);
+  REQUIRE(loop.verdict().violations.size() == 1);
+  CHECK(loop.verdict().violations[0].value == Approx(4.0));
+}
+
 TEST_CASE("a chaser catches who stands") {
   LoopSetup setup = loop_setup(loop_config({}, "realistic"), 5);
   setup.sim.robots = {{{Team::yellow, 0}, {{2.0, 1.0}, 0.0}}, {{Team::blue, 0}, {{-2.0, -1.0}, 0.0}}};

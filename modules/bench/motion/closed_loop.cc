@@ -7,10 +7,25 @@ namespace {
 
 constexpr std::array kTeams{Team::yellow, Team::blue};
 
+std::vector<Validator> validators_of(const SimSetup& sim) {
+  const RobotLimits& limits = sim.params.limits;
+  return {inside_field(sim.field, limits.radius_m), within_speed_limits(limits), commands_within_limits(limits)};
+}
+
 }  // namespace
 
+LoopVerdict& LoopVerdict::operator+=(const LoopVerdict& other) {
+  ticks += other.ticks;
+  violations.insert(violations.end(), other.violations.begin(), other.violations.end());
+  return *this;
+}
+
 ClosedLoop::ClosedLoop(LoopSetup setup)
-    : setup_(std::move(setup)), simulator_(setup_.sim), model_(setup_.model), truth_(simulator_.truth()) {
+    : setup_(std::move(setup)),
+      simulator_(setup_.sim),
+      model_(setup_.model),
+      truth_(simulator_.truth()),
+      validation_(validators_of(setup_.sim)) {
   for (const Team team : kTeams) targets_.at(static_cast<std::size_t>(team)).team = team;
 }
 
@@ -22,6 +37,8 @@ void ClosedLoop::tick() {
   dt_s_ = last_captured_ ? to_seconds(world_.captured - *last_captured_) : 1.0 / setup_.sim.params.vision.rate_hz;
   last_captured_ = world_.captured;
   for (const Team team : kTeams) drive(team);
+  ++ticks_;
+  validation_.observe({truth_, simulator_.contact_counts(), 0, 0, commands_});
 }
 
 void ClosedLoop::drive(Team team) {

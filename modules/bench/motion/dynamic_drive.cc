@@ -114,6 +114,7 @@ DynamicDrive drive_dynamic(const DynamicScenario& scenario, std::span<const doub
     out.navigation_s = time_s;
   }
   for (const DriveTime& time : loop.driver(Team::yellow)->times()) out.planning_ms += time.planning_us * 1e-3;
+  out.verdict = loop.verdict();
   return out;
 }
 

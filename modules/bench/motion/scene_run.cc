@@ -108,6 +108,7 @@ SceneScore play_scene(const MotionScene& scene, const SystemChoice& system, cons
   for (const Watch& watch : watches) score.arrivals.push_back(watch.result());
   score.contacts = loop.simulator().contact_counts();
   score.ended_s = time_s();
+  score.verdict = loop.verdict();
   return score;
 }
 
