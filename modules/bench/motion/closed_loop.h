@@ -44,7 +44,7 @@ class ClosedLoop {
   /// Throws as Simulator does.
   explicit ClosedLoop(LoopSetup setup);
 
-  /// On to the next frame that arrives; both teams see it and command at once.
+  /// On to the next frame that arrives and tells something; both teams see it and command at once.
   void tick();
   /// As many ticks as begin within the time; `observe` is called after each.
   void run_for(double seconds, const std::function<void()>& observe = {});
@@ -65,6 +65,7 @@ class ClosedLoop {
   double dt_s() const { return dt_s_; }
 
  private:
+  bool see();
   void drive(Team team);
 
   LoopSetup setup_;
