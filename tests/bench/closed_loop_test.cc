@@ -32,7 +32,9 @@ LoopSetup straight_loop(const std::vector<RobotPlacement>& robots, const Targets
 Targets targets_of(Team team, std::vector<Vec2> places) {
   Targets targets;
   targets.team = team;
-  for (std::uint16_t i = 0; i < places.size(); ++i) targets.targets.push_back({i, {places[i], 0.0}, 3.0, false});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    targets.targets.push_back({static_cast<std::uint16_t>(i), {places[i], 0.0}, 3.0, false});
+  }
   return targets;
 }
 
@@ -176,7 +178,8 @@ TEST_CASE("a chaser catches who stands") {
   LoopSetup setup = loop_setup(loop_config({}, "realistic"), 5);
   setup.sim.robots = {{{Team::yellow, 0}, {{2.0, 1.0}, 0.0}}, {{Team::blue, 0}, {{-2.0, -1.0}, 0.0}}};
   setup.of(Team::blue).driver = chaser(Team::blue, RobotLimits{}, 3.0);
-  CHECK(watched(std::move(setup), 3.0).opponent >= 1);
+  const ContactTally caught = watched(std::move(setup), 3.0);
+  CHECK(caught.opponent >= 1);
 }
 
 TEST_CASE("work in parallel is done once each, and a failure is told") {

@@ -75,7 +75,8 @@ std::vector<RobotPlacement> grid() {
   constexpr std::size_t kRow = 4;
   std::vector<RobotPlacement> robots;
   for (std::size_t i = 0; i < kRobots; ++i) {
-    const Vec2 place(static_cast<double>(i % kRow) - 1.5, static_cast<double>(i / kRow) - 1.0);
+    const std::size_t row = i / kRow;
+    const Vec2 place(static_cast<double>(i % kRow) - 1.5, static_cast<double>(row) - 1.0);
     robots.push_back({{Team::yellow, static_cast<std::uint16_t>(i)}, {kPitch_m * place, 0.0}});
   }
   return robots;

@@ -42,7 +42,7 @@ std::vector<Played> chosen(const SwapOptions& options, const std::filesystem::pa
 SceneScore play_recorded(const Played& played, const SwapOptions& options, std::uint64_t seed) {
   LoopRecorder recorder(played.log.string(), played.scene.field);
   int ticks = 0;
-  const SceneScore score = play_scene(played.scene, options.system, options.preset, seed, [&](const ClosedLoop& loop) {
+  SceneScore score = play_scene(played.scene, options.system, options.preset, seed, [&](const ClosedLoop& loop) {
     if (ticks++ % kRecordEvery == 0) recorder.record(loop);
   });
   recorder.close();
