@@ -174,6 +174,12 @@ TEST_CASE("the loop sees who commands more than a robot can") {
   CHECK(loop.verdict().violations[0].value == Approx(4.0));
 }
 
+TEST_CASE("simple drivers keep the limits among collisions") {
+  const CrowdScore score = play_crowd({"B", "noisy", Opponents::chaser}, {}, 0.3, 4);
+  CHECK(score.contacts.opponent > 0);
+  for (const Violation& violation : score.verdict.violations) CHECK(violation.robot->team == Team::yellow);
+}
+
 TEST_CASE("a chaser catches who stands") {
   LoopSetup setup = loop_setup(loop_config({}, "realistic"), 5);
   setup.sim.robots = {{{Team::yellow, 0}, {{2.0, 1.0}, 0.0}}, {{Team::blue, 0}, {{-2.0, -1.0}, 0.0}}};
