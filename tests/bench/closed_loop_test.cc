@@ -174,10 +174,21 @@ TEST_CASE("the loop sees who commands more than a robot can") {
   CHECK(loop.verdict().violations[0].value == Approx(4.0));
 }
 
-TEST_CASE("simple drivers keep the limits among collisions") {
-  const CrowdScore score = play_crowd({"B", "noisy", Opponents::chaser}, {}, 0.3, 4);
-  CHECK(score.contacts.opponent > 0);
-  for (const Violation& violation : score.verdict.violations) CHECK(violation.robot->team == Team::yellow);
+TEST_CASE("simple drivers keep the limits whatever the estimate says") {
+  const RobotLimits limits;
+  WorldState world;
+  world.robots.resize(2);
+  world.robots[1].id = {Team::blue, 0};
+  world.robots[1].pose = {{2.0, 1.0}, 0.5};
+  for (const double estimated_mps : {0.0, 3.4, -3.4}) {  // after a hit the estimate may be faster than a robot
+    world.robots[1].twist.velocity_mps = {estimated_mps, 0.0};
+    for (const auto& driver : {chaser(Team::blue, limits, 3.0), straight_driver(Team::blue, limits)}) {
+      const TeamCommands commands = driver->drive(division_a(), world, targets_of(Team::blue, {{-2.0, 1.0}}), 0.01);
+      REQUIRE(commands.commands.size() == 1);
+      const BodyVelocity& velocity = commands.commands[0].velocity;
+      CHECK(std::hypot(velocity.forward_mps, velocity.left_mps) <= limits.speed_max_mps + 1e-9);
+    }
+  }
 }
 
 TEST_CASE("a chaser catches who stands") {
