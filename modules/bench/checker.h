@@ -20,10 +20,11 @@ class Checker {
   /// False for a faulty answer, which is counted for that planner.
   bool check(const std::string& planner, const World& world, const PlanRequest& request, const Plan& plan);
 
-  /// Counts a fault found elsewhere.
+  /// Counts answers, and a fault, that were checked elsewhere.
+  void add_checked(std::size_t answers) { checked_ += answers; }
   void add_fault(const std::string& planner, const std::string& text);
 
-  std::size_t checked() const { return checked_; }  ///< answers of status ok
+  std::size_t checked() const { return checked_; }  ///< answers of status ok, and those counted
   std::size_t faults() const { return faults_; }
   std::size_t faults(const std::string& planner) const;
   /// The first few faults, one line each, with the query.

@@ -32,7 +32,9 @@ LoopSetup straight_loop(const std::vector<RobotPlacement>& robots, const Targets
 Targets targets_of(Team team, std::vector<Vec2> places) {
   Targets targets;
   targets.team = team;
-  for (std::uint16_t i = 0; i < places.size(); ++i) targets.targets.push_back({i, {places[i], 0.0}, 3.0, false});
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    targets.targets.push_back({static_cast<std::uint16_t>(i), {places[i], 0.0}, 3.0, false});
+  }
   return targets;
 }
 
@@ -150,11 +152,51 @@ TEST_CASE("contacts with opponents, their fault, and what they push us into") {
   CHECK(fault.at_fault >= 1);
 }
 
+/// Tells a robot to be faster than it can.
+class Reckless : public Driver {
+ public:
+  TeamCommands drive(const FieldGeometry& /*field*/, const WorldState& world, const Targets& /*targets*/,
+                     double /*dt_s*/) override {
+    RobotCommand command;
+    command.velocity.forward_mps = 4.0;
+    return {world.captured, Team::yellow, 1, world.sequence, {command}};
+  }
+};
+
+TEST_CASE("the loop sees who commands more than a robot can") {
+  LoopSetup setup = loop_setup(loop_config({}, "none"), 5);
+  setup.sim.robots = {{{Team::yellow, 0}, {Vec2::Zero(), 0.0}}};
+  setup.of(Team::yellow).driver = std::make_unique<Reckless>();
+  ClosedLoop loop(std::move(setup));
+  loop.run_for(0.5);
+  CHECK(loop.verdict().ticks == 50);
+  REQUIRE(loop.verdict().violations.size() == 1);
+  CHECK(loop.verdict().violations[0].value == Approx(4.0));
+}
+
+TEST_CASE("simple drivers keep the limits whatever the estimate says") {
+  const RobotLimits limits;
+  WorldState world;
+  world.robots.resize(2);
+  world.robots[1].id = {Team::blue, 0};
+  world.robots[1].pose = {{2.0, 1.0}, 0.5};
+  for (const double estimated_mps : {0.0, 3.4, -3.4}) {  // after a hit the estimate may be faster than a robot
+    world.robots[1].twist.velocity_mps = {estimated_mps, 0.0};
+    for (const auto& driver : {chaser(Team::blue, limits, 3.0), straight_driver(Team::blue, limits)}) {
+      const TeamCommands commands = driver->drive(division_a(), world, targets_of(Team::blue, {{-2.0, 1.0}}), 0.01);
+      REQUIRE(commands.commands.size() == 1);
+      const BodyVelocity& velocity = commands.commands[0].velocity;
+      CHECK(std::hypot(velocity.forward_mps, velocity.left_mps) <= limits.speed_max_mps + 1e-9);
+    }
+  }
+}
+
 TEST_CASE("a chaser catches who stands") {
   LoopSetup setup = loop_setup(loop_config({}, "realistic"), 5);
   setup.sim.robots = {{{Team::yellow, 0}, {{2.0, 1.0}, 0.0}}, {{Team::blue, 0}, {{-2.0, -1.0}, 0.0}}};
   setup.of(Team::blue).driver = chaser(Team::blue, RobotLimits{}, 3.0);
-  CHECK(watched(std::move(setup), 3.0).opponent >= 1);
+  const ContactTally caught = watched(std::move(setup), 3.0);
+  CHECK(caught.opponent >= 1);
 }
 
 TEST_CASE("work in parallel is done once each, and a failure is told") {

@@ -7,21 +7,50 @@ namespace {
 
 constexpr std::array kTeams{Team::yellow, Team::blue};
 
+std::vector<Validator> validators_of(const SimSetup& sim) {
+  const RobotLimits& limits = sim.params.limits;
+  return {inside_field(sim.field, limits.radius_m), within_speed_limits(limits), commands_within_limits(limits)};
+}
+
 }  // namespace
 
+LoopVerdict& LoopVerdict::operator+=(const LoopVerdict& other) {
+  ticks += other.ticks;
+  violations.insert(violations.end(), other.violations.begin(), other.violations.end());
+  return *this;
+}
+
 ClosedLoop::ClosedLoop(LoopSetup setup)
-    : setup_(std::move(setup)), simulator_(setup_.sim), model_(setup_.model), truth_(simulator_.truth()) {
+    : setup_(std::move(setup)),
+      simulator_(setup_.sim),
+      model_(setup_.model),
+      truth_(simulator_.truth()),
+      validation_(validators_of(setup_.sim)) {
   for (const Team team : kTeams) targets_.at(static_cast<std::size_t>(team)).team = team;
 }
 
 void ClosedLoop::tick() {
-  simulator_.advance_to(simulator_.next_frame_due());
-  for (const VisionFrame& frame : simulator_.take_frames()) model_.add_frame(frame);
+  while (!see()) {
+  }
   world_ = model_.state();
   truth_ = simulator_.truth();
-  dt_s_ = last_captured_ ? to_seconds(world_.captured - *last_captured_) : 1.0 / setup_.sim.params.vision.rate_hz;
+  dt_s_ = last_captured_ ? to_seconds(world_.captured - *last_captured_) : 0.0;
+  if (dt_s_ <= 0.0) dt_s_ = 1.0 / setup_.sim.params.vision.rate_hz;
   last_captured_ = world_.captured;
   for (const Team team : kTeams) drive(team);
+  ++ticks_;
+  validation_.observe({truth_, simulator_.contact_counts(), 0, 0, commands_});
+}
+
+/// On to the next frame. False where the world model had no use for it.
+bool ClosedLoop::see() {
+  simulator_.advance_to(simulator_.next_frame_due());
+  bool changed = false;
+  for (const VisionFrame& frame : simulator_.take_frames()) {
+    const FrameResult result = model_.add_frame(frame);
+    changed = changed || result == FrameResult::taken || result == FrameResult::restarted;
+  }
+  return changed;
 }
 
 void ClosedLoop::drive(Team team) {

@@ -9,6 +9,7 @@
 
 #include "modules/bench/motion/driver.h"
 #include "sim/simulator.h"
+#include "sim/validators.h"
 #include "world_model/world_model.h"
 
 namespace regista::bench {
@@ -30,12 +31,20 @@ struct LoopSetup {
   const LoopTeam& of(Team team) const { return teams[static_cast<std::size_t>(team)]; }
 };
 
+/// What must hold whoever drives: bodies inside the boards, nobody told to be or being faster than it can.
+struct LoopVerdict {
+  std::size_t ticks = 0;  ///< looked at
+  std::vector<Violation> violations;
+
+  LoopVerdict& operator+=(const LoopVerdict& other);
+};
+
 class ClosedLoop {
  public:
   /// Throws as Simulator does.
   explicit ClosedLoop(LoopSetup setup);
 
-  /// On to the next frame that arrives; both teams see it and command at once.
+  /// On to the next frame that arrives and tells something; both teams see it and command at once.
   void tick();
   /// As many ticks as begin within the time; `observe` is called after each.
   void run_for(double seconds, const std::function<void()>& observe = {});
@@ -51,10 +60,12 @@ class ClosedLoop {
   std::span<const TeamCommands> commands() const { return commands_; }
   const Driver* driver(Team team) const { return setup_.of(team).driver.get(); }
   const Targets& targets(Team team) const { return targets_[static_cast<std::size_t>(team)]; }
+  LoopVerdict verdict() const { return {ticks_, validation_.violations()}; }
   /// Between the last two ticks.
   double dt_s() const { return dt_s_; }
 
  private:
+  bool see();
   void drive(Team team);
 
   LoopSetup setup_;
@@ -66,6 +77,8 @@ class ClosedLoop {
   std::array<TeamCommands, 2> commands_;
   std::optional<Time> last_captured_;
   double dt_s_ = 0.0;
+  std::size_t ticks_ = 0;
+  Validation validation_;
 };
 
 }  // namespace regista::bench

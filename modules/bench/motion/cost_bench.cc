@@ -3,6 +3,7 @@
 #include "modules/bench/bench.h"
 #include "modules/bench/motion/crowd_run.h"
 #include "modules/bench/motion/parallel.h"
+#include "modules/bench/motion/verdict.h"
 #include "planning/uniform.h"
 
 namespace regista::bench {
@@ -11,6 +12,7 @@ namespace {
 struct Row {
   std::string safety;  ///< "": the controller knows no choice
   Summary planning, control, tick;
+  LoopVerdict verdict;
 };
 
 Row measured(const std::string& safety, const CrowdScore& score) {
@@ -20,7 +22,8 @@ Row measured(const std::string& safety, const CrowdScore& score) {
     control.push_back(time.control_us);
     tick.push_back(time.planning_us + time.control_us);
   }
-  return {safety, summarise(std::move(planning)), summarise(std::move(control)), summarise(std::move(tick))};
+  return {safety, summarise(std::move(planning)), summarise(std::move(control)), summarise(std::move(tick)),
+          score.verdict};
 }
 
 Table table_of(const std::vector<Row>& rows, const CostOptions& options) {
@@ -69,7 +72,9 @@ int run_cost(const CostOptions& options, const Run& run) {
     rows[i] = measured(safety[i], play_crowd({"A", options.preset, Opponents::system}, system, options.minutes, seed));
   });
   report.add("cost", table_of(rows, options));
-  return report.finish(Checker());
+  Checker checker;
+  for (const Row& row : rows) check(checker, row.safety, row.verdict);
+  return report.finish(checker);
 }
 
 }  // namespace regista::bench

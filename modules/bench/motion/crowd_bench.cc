@@ -5,6 +5,7 @@
 #include "modules/bench/bench.h"
 #include "modules/bench/motion/crowd_report.h"
 #include "modules/bench/motion/parallel.h"
+#include "modules/bench/motion/verdict.h"
 #include "planning/uniform.h"
 
 namespace regista::bench {
@@ -45,9 +46,7 @@ int run_crowd(const CrowdOptions& options, const Run& run) {
   Report report(run);
   play(rows, options, run.seed);
   Checker checker;
-  for (const CrowdRow& row : rows) {
-    for (const Violation& violation : row.score.violations) checker.add_fault(row.game.preset, to_string(violation));
-  }
+  for (const CrowdRow& row : rows) check(checker, name(row.game.opponents), row.score.verdict);
   report.add("crowd", crowd_scores(rows, options));
   const Table cost = crowd_costs(rows);
   if (!cost.rows.empty()) report.add("crowd_cost", cost);

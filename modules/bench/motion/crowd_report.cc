@@ -72,7 +72,9 @@ Table crowd_scores(const std::vector<CrowdRow>& rows, const CrowdOptions& option
                {"own touching", "s/robot-min"},
                {"with opponents", "1/robot-min"},
                {"our fault", "1/robot-min"}}};
-  for (const auto& [game, score] : rows) {
+  for (const CrowdRow& row : rows) {
+    const CrowdGame& game = row.game;
+    const CrowdScore& score = row.score;
     const CrowdRow* free = free_of(rows, game);
     const ContactTally& contacts = score.contacts;
     const auto rate = [&score](auto count) { return score.per_robot_minute(static_cast<double>(count)); };

@@ -62,7 +62,7 @@ CrowdScore& CrowdScore::operator+=(const CrowdScore& other) {
   contacts += other.contacts;
   times.insert(times.end(), other.times.begin(), other.times.end());
   cpu_s += other.cpu_s;
-  violations.insert(violations.end(), other.violations.begin(), other.violations.end());
+  verdict += other.verdict;
   return *this;
 }
 
@@ -81,13 +81,7 @@ CrowdScore play_crowd(const CrowdGame& game, const SystemChoice& system, double 
 
   ClosedLoop loop(std::move(setup));
   ContactWatch watch(Team::yellow, limits.radius_m);
-  Validation validation(
-      {inside_field(field, limits.radius_m), within_speed_limits(limits), commands_within_limits(limits)});
-  loop.run_for(60.0 * minutes, [&] {
-    watch.observe(loop.simulator(), loop.truth(), loop.dt_s());
-    validation.observe(
-        {loop.truth(), loop.simulator().contact_counts(), ours.reached(), theirs.reached(), loop.commands()});
-  });
+  loop.run_for(60.0 * minutes, [&] { watch.observe(loop.simulator(), loop.truth(), loop.dt_s()); });
   CrowdScore score;
   score.minutes = minutes;
   score.robot_minutes = minutes * static_cast<double>(loop.targets(Team::yellow).targets.size());
@@ -96,7 +90,7 @@ CrowdScore play_crowd(const CrowdGame& game, const SystemChoice& system, double 
   const std::span<const DriveTime> times = loop.driver(Team::yellow)->times();
   score.times.assign(times.begin(), times.end());
   score.cpu_s = cpu.s();
-  score.violations = validation.violations();
+  score.verdict = loop.verdict();
   return score;
 }
 

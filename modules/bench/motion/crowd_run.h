@@ -6,7 +6,6 @@
 
 #include "modules/bench/motion/contact_watch.h"
 #include "modules/bench/motion/loop_config.h"
-#include "sim/validators.h"
 
 namespace regista::bench {
 
@@ -31,7 +30,7 @@ struct CrowdScore {
   ContactTally contacts;       ///< of our team
   std::vector<DriveTime> times;
   double cpu_s = 0.0;
-  std::vector<Violation> violations;  ///< of what must hold whatever anybody does
+  LoopVerdict verdict;
 
   CrowdScore& operator+=(const CrowdScore& other);
   /// Targets per minute of the team.

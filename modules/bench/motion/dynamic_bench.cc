@@ -6,6 +6,7 @@
 #include "modules/bench/bench.h"
 #include "modules/bench/motion/dynamic_drive.h"
 #include "modules/bench/motion/parallel.h"
+#include "modules/bench/motion/verdict.h"
 #include "modules/bench/paper/dvg_drives.h"
 #include "planning/uniform.h"
 
@@ -161,7 +162,11 @@ int run_dynamic(const DynamicOptions& options, const Run& run) {
     }
   }
   report.add("dynamic", summary_table(rows));
-  return report.finish(Checker());
+  Checker checker;
+  for (const Row& row : rows) {
+    for (const DynamicDrive& one : row.drives) check(checker, row.who, one.verdict);
+  }
+  return report.finish(checker);
 }
 
 }  // namespace regista::bench

@@ -73,9 +73,9 @@ LoopSetup setup_of(const DynamicScenario& scenario, std::span<const double> phas
   setup.sim.field = open_field();
   setup.sim.robots_collide = false;
   setup.sim.robots = {{kRobot, {scenario.start, 0.0}}};
-  for (std::uint16_t i = 0; i < phases.size(); ++i) {
+  for (std::size_t i = 0; i < phases.size(); ++i) {
     const Vec2 place = place_of(scenario.obstacles.at(i), scenario.speed_mps, phases[i], 0.0);
-    setup.sim.robots.push_back({{Team::blue, i}, {place, 0.0}});
+    setup.sim.robots.push_back({{Team::blue, static_cast<std::uint16_t>(i)}, {place, 0.0}});
   }
   // What the robot itself may do its controller knows.
   setup.sim.params.limits.acceleration_max_mps2 = kObstacleAcceleration_mps2;
@@ -114,6 +114,7 @@ DynamicDrive drive_dynamic(const DynamicScenario& scenario, std::span<const doub
     out.navigation_s = time_s;
   }
   for (const DriveTime& time : loop.driver(Team::yellow)->times()) out.planning_ms += time.planning_us * 1e-3;
+  out.verdict = loop.verdict();
   return out;
 }
 

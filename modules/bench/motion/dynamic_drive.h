@@ -17,7 +17,8 @@ struct DynamicDrive {
   double navigation_s = 0.0;   ///< until within 1 cm of the goal and slower than 0.3 m/s
   double straight_s = 0.0;     ///< the least time of the straight line, at the scenario's top speed
   std::size_t collisions = 0;  ///< centres nearer than 180 mm; one counts only 0.5 s after the one before, as printed
-  std::size_t at_fault = 0;    ///< of these, the robot's alone or shared guilt by the crash rule
+  LoopVerdict verdict = {};
+  std::size_t at_fault = 0;  ///< of these, the robot's alone or shared guilt by the crash rule
 };
 
 /// `phases` as drive() of paper/dvg_dynamic.h has them. Bodies pass through each other. Obstacles keep 2.5 m/s and turn

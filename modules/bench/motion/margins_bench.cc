@@ -8,6 +8,7 @@
 #include "modules/bench/motion/contact_watch.h"
 #include "modules/bench/motion/parallel.h"
 #include "modules/bench/motion/target_sources.h"
+#include "modules/bench/motion/verdict.h"
 #include "planning/uniform.h"
 
 namespace regista::bench {
@@ -35,6 +36,7 @@ struct Row {
   double margin_mm = 0.0;
   ContactTally contacts = {};
   std::int64_t reached = 0;
+  LoopVerdict verdict = {};
 };
 
 template <class Params>
@@ -73,7 +75,8 @@ std::vector<RobotPlacement> grid() {
   constexpr std::size_t kRow = 4;
   std::vector<RobotPlacement> robots;
   for (std::size_t i = 0; i < kRobots; ++i) {
-    const Vec2 place(static_cast<double>(i % kRow) - 1.5, static_cast<double>(i / kRow) - 1.0);
+    const std::size_t row = i / kRow;
+    const Vec2 place(static_cast<double>(i % kRow) - 1.5, static_cast<double>(row) - 1.0);
     robots.push_back({{Team::yellow, static_cast<std::uint16_t>(i)}, {kPitch_m * place, 0.0}});
   }
   return robots;
@@ -95,7 +98,7 @@ Row play(const Row& row, const SystemChoice& system, double minutes, std::uint64
   ContactWatch watch(Team::yellow, setup.sim.params.limits.radius_m);
   ClosedLoop loop(std::move(setup));
   loop.run_for(60.0 * minutes, [&] { watch.observe(loop.simulator(), loop.truth(), loop.dt_s()); });
-  return {row.error, row.margin_mm, watch.tally(), targets.reached()};
+  return {row.error, row.margin_mm, watch.tally(), targets.reached(), loop.verdict()};
 }
 
 void play_all(std::vector<Row>& rows, const MarginsOptions& options, std::uint64_t seed) {
@@ -108,6 +111,7 @@ void play_all(std::vector<Row>& rows, const MarginsOptions& options, std::uint64
   for (std::size_t i = 0; i < played.size(); ++i) {
     rows[i / pieces].contacts += played[i].contacts;
     rows[i / pieces].reached += played[i].reached;
+    rows[i / pieces].verdict += played[i].verdict;
   }
 }
 
@@ -152,7 +156,9 @@ int run_margins(const MarginsOptions& options, const Run& run) {
   play_all(rows, options, seed_of(options.seeds, run.seed));
   report.add("margins", table_of(rows, options.minutes));
   report.add("margins", plot_of(rows, options.minutes));
-  return report.finish(Checker());
+  Checker checker;
+  for (const Row& row : rows) check(checker, row.error.name, row.verdict);
+  return report.finish(checker);
 }
 
 }  // namespace regista::bench

@@ -10,6 +10,7 @@
 #include "modules/bench/motion/minimum_time.h"
 #include "modules/bench/motion/parallel.h"
 #include "modules/bench/motion/standing_drive.h"
+#include "modules/bench/motion/verdict.h"
 #include "planning/uniform.h"
 
 namespace regista::bench {
@@ -36,6 +37,7 @@ struct StandingRow {
   std::vector<double> ratios = {};
   std::size_t lost = 0;
   std::int64_t contacts = 0;
+  LoopVerdict verdict = {};
 };
 
 Vec2 in_disc(std::mt19937_64& random, double radius) {
@@ -99,6 +101,7 @@ void play_standing(std::vector<StandingRow>& rows, const MotionOptions& options,
   for (std::size_t i = 0; i < all.size(); ++i) {
     StandingRow& row = rows[i / options.drives];
     row.contacts += all[i].contacts;
+    row.verdict += all[i].verdict;
     if (all[i].arrived_s) {
       row.ratios.push_back(*all[i].arrived_s / all[i].ideal_s);
     } else {
@@ -177,7 +180,9 @@ int run_motion(const MotionOptions& options, const Run& run) {
   report.add("motion_free", free_table(free));
   report.add("motion_standing", standing_table(standing));
   report.add("motion", shares_plot(free, standing));
-  return report.finish(Checker());
+  Checker checker;
+  for (const StandingRow& row : standing) check(checker, row.preset, row.verdict);
+  return report.finish(checker);
 }
 
 }  // namespace regista::bench

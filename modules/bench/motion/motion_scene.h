@@ -20,7 +20,8 @@ struct MotionScene {
   std::vector<RobotPlacement> robots;
   std::array<Targets, 2> targets;                                               ///< by Team
   std::array<SceneDriver, 2> drivers{SceneDriver::system, SceneDriver::still};  ///< by Team
-  double limit_s = 30.0;                                                        ///< the scene ends then at the latest
+  std::vector<std::string> settings;  ///< what the system is told of this place, under SystemChoice's own
+  double limit_s = 30.0;              ///< the scene ends then at the latest
 
   explicit MotionScene(std::string scene_name);
   /// A robot that stands at `from` and, where it is driven, is to go to `to`.
@@ -33,7 +34,7 @@ struct MotionScene {
 MotionScene circle_swap(std::size_t robots, double radius_m, bool two_teams);
 
 /// Two robots from either end of a corridor to the other; there is no way around. Its walls are standing opponents, as
-/// far apart as one and a half robots are wide.
+/// far apart as one and a half robots are wide: 45 mm on either side of one, so planning keeps 30.
 MotionScene corridor();
 
 /// Through the middle of eight team-mates that stand shoulder to shoulder around it and set off outwards at once.

@@ -91,7 +91,9 @@ double straight_drive_s(double distance_m, const RobotLimits& limits) {
 
 SceneScore play_scene(const MotionScene& scene, const SystemChoice& system, const std::string& preset,
                       std::uint64_t seed, const std::function<void(const ClosedLoop&)>& look) {
-  LoopSetup setup = setup_of(scene, loop_config(system, preset), seed);
+  SystemChoice choice = system;
+  choice.settings.insert(choice.settings.begin(), scene.settings.begin(), scene.settings.end());
+  LoopSetup setup = setup_of(scene, loop_config(choice, preset), seed);
   std::vector<Watch> watches = watches_of(scene, setup.sim.params.limits);
   ClosedLoop loop(std::move(setup));
   const auto time_s = [&loop] { return to_seconds(loop.simulator().now() - Time{}); };
@@ -108,6 +110,7 @@ SceneScore play_scene(const MotionScene& scene, const SystemChoice& system, cons
   for (const Watch& watch : watches) score.arrivals.push_back(watch.result());
   score.contacts = loop.simulator().contact_counts();
   score.ended_s = time_s();
+  score.verdict = loop.verdict();
   return score;
 }
 

@@ -29,6 +29,7 @@ struct SceneScore {
   std::vector<Arrival> arrivals;
   ContactCounts contacts;
   double ended_s = 0.0;  ///< when all had arrived, or the scene's limit
+  LoopVerdict verdict;
 };
 
 /// Seconds a robot needs for that distance from rest to rest along a straight line.

@@ -24,6 +24,7 @@ TeamCommands VelocityDriver::drive(const FieldGeometry& /*field*/, const WorldSt
                                      [&](const Target& one) { return one.robot == robot.id.number; });
     Vec2& told = told_mps_.try_emplace(robot.id.number, robot.twist.velocity_mps).first->second;
     if ((told - robot.twist.velocity_mps).norm() > kHit_mps) told = robot.twist.velocity_mps;
+    told = clamped_norm(told, limits_.speed_max_mps);  // an estimate after a hit may be faster than a robot
     const Vec2 wanted = wanted_(robot, world, target == targets.targets.end() ? nullptr : &*target);
     told = limited_velocity(told, clamped_norm(wanted, limits_.speed_max_mps), limits_, dt_s);
     RobotCommand command;

@@ -57,6 +57,7 @@ StandingDrive drive_among_standing(const SystemChoice& system, const std::string
     if (began && there) out.arrived_s = to_seconds(loop.simulator().now() - *began);
   }
   out.contacts = loop.simulator().contact_counts().opponent;
+  out.verdict = loop.verdict();
   return out;
 }
 

@@ -11,6 +11,7 @@ struct StandingDrive {
   double ideal_s = 0.0;             ///< along the exact path's length: rest to rest, limits of the straight line
   std::optional<double> arrived_s;  ///< from the first plan until within 1 cm and nearly at rest; none within 20 s
   std::int64_t contacts = 0;
+  LoopVerdict verdict = {};
 };
 
 /// Robots stand anywhere outside the defence areas of division A with gaps that a robot fits through or none; start and

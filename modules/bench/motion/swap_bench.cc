@@ -9,6 +9,7 @@
 #include "modules/bench/motion/loop_recorder.h"
 #include "modules/bench/motion/parallel.h"
 #include "modules/bench/motion/scene_run.h"
+#include "modules/bench/motion/verdict.h"
 #include "modules/bench/tool.h"
 #include "planning/uniform.h"
 
@@ -41,7 +42,7 @@ std::vector<Played> chosen(const SwapOptions& options, const std::filesystem::pa
 SceneScore play_recorded(const Played& played, const SwapOptions& options, std::uint64_t seed) {
   LoopRecorder recorder(played.log.string(), played.scene.field);
   int ticks = 0;
-  const SceneScore score = play_scene(played.scene, options.system, options.preset, seed, [&](const ClosedLoop& loop) {
+  SceneScore score = play_scene(played.scene, options.system, options.preset, seed, [&](const ClosedLoop& loop) {
     if (ticks++ % kRecordEvery == 0) recorder.record(loop);
   });
   recorder.close();
@@ -149,7 +150,11 @@ int run_swap(const SwapOptions& options, const Run& run) {
   play(all, options, run.seed);
   report.add("swap", table_of(all, options));
   if (options.pictures) draw_strip(all, run.out);
-  return report.finish(Checker());
+  Checker checker;
+  for (const Played& played : all) {
+    for (const SceneScore& one : played.runs) check(checker, played.scene.name, one.verdict);
+  }
+  return report.finish(checker);
 }
 
 }  // namespace regista::bench
