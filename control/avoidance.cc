@@ -1,10 +1,17 @@
 #include "control/avoidance.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "control/safety/published_search.h"
 
 namespace regista {
+namespace {
+
+/// A change of velocity in no time is one within this.
+constexpr double kShortest_s = 1e-3;
+
+}  // namespace
 
 SafetyMode safety_mode(const std::string& name) {
   if (name == "none") return SafetyMode::none;
@@ -25,7 +32,7 @@ const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::spa
   }
   for (std::size_t i = 0; i < team.size(); ++i) {
     chosen_.push_back(mode == SafetyMode::none
-                          ? team[i].wanted_mps
+                          ? clamped_norm(team[i].wanted_mps, team[i].speed_max_mps)
                           : published_choice(team, i, opponents, params.limits, params.safety, period_s));
   }
   return chosen_;
@@ -36,6 +43,7 @@ void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const
   if (params.velocity_choice.horizon_s <= 0.0) return;
   const double bodies_m = 2.0 * params.limits.radius_m;
   const double reach_m = 2.0 * params.limits.speed_max_mps * params.velocity_choice.horizon_s + bodies_m;
+  const double acceleration = params.limits.acceleration_max_mps2;
   for (std::size_t i = 0; i < team.size(); ++i) {
     if (team[i].wanted_mps.isZero(0.0)) continue;  // who stands, stands
     const auto is_near = [&](const Vec2& other_m) {
@@ -44,8 +52,12 @@ void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const
     neighbours_.clear();
     for (std::size_t j = 0; j < team.size(); ++j) {
       if (j == i || !is_near(team[j].position_m)) continue;
-      neighbours_.push_back({team[j].position_m, team[j].velocity_mps, Vec2::Zero(),
-                             bodies_m + params.safety.team_margin_m});
+      // A team-mate's wish is known: it accelerates towards it. Those before i have chosen already.
+      const Vec2 change_mps = team[j].wanted_mps - team[j].velocity_mps;
+      neighbours_.push_back(
+          {team[j].position_m, team[j].velocity_mps,
+           clamped_norm(change_mps / std::max(params.safety.acceleration_lasts_s, kShortest_s), acceleration),
+           bodies_m + params.safety.team_margin_m});
     }
     for (const Opponent& opponent : opponents) {
       if (!is_near(opponent.position_m)) continue;

@@ -20,8 +20,8 @@ class Avoidance {
   /// Velocities after period_s, one per robot; those of mode none are the wanted ones and need not be reachable.
   /// `arrivals_s`: when each robot would stand at its goal. Valid until the next call.
   const std::vector<Vec2>& choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
-                                        std::span<const Opponent> opponents, const Surroundings& around,
-                                        const ControlParams& params, double period_s);
+                                  std::span<const Opponent> opponents, const Surroundings& around,
+                                  const ControlParams& params, double period_s);
 
  private:
   void keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,

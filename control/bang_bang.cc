@@ -25,10 +25,10 @@ Approach approach_of(double distance, double velocity, const AxisLimits& limits)
 
 /// Speeds up from `velocity` in [0, peak], cruises, brakes.
 struct Trapezoid {
-  double turn_s = 0.0;   ///< braking to a stand first, because it goes the wrong way
-  double start = 0.0;    ///< velocity after that
+  double turn_s = 0.0;  ///< braking to a stand first, because it goes the wrong way
+  double start = 0.0;   ///< velocity after that
   double peak = 0.0;
-  double up_s = 0.0;     ///< from start to peak; slowing down where the start is above the speed limit
+  double up_s = 0.0;  ///< from start to peak; slowing down where the start is above the speed limit
   double cruise_s = 0.0;
   double down_s = 0.0;
 };

@@ -183,8 +183,8 @@ std::vector<Opponent> Controller::opponents_in(const WorldState& world, double d
   for (const RobotState& robot : world.robots) {
     if (robot.id.team != other) continue;
     // Ours are where their lag will have carried them; theirs are looked at as of the same moment.
-    opponents.push_back({after_lag(robot, params_.drive_lag_s).position_m, robot.twist.velocity_mps,
-                         accelerations_.of(robot.id)});
+    opponents.push_back(
+        {after_lag(robot, params_.drive_lag_s).position_m, robot.twist.velocity_mps, accelerations_.of(robot.id)});
   }
   return opponents;
 }

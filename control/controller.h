@@ -26,9 +26,9 @@ class Controller {
   void set_params(const ControlParams& params);
 
   /// Commands for every robot of the team in the world state. `plans`: at most one per robot, stale ones left out by
-  /// the caller; plans of other robots are ignored. `around`: what does not move. A robot without plan, or with one that is invalid or has no path,
-  /// brakes at its limit, and so does one that vision has lost for unseen_deadline_s. dt_s > 0 is the time since the
-  /// last call.
+  /// the caller; plans of other robots are ignored. `around`: what does not move. A robot without plan, or with one
+  /// that is invalid or has no path, brakes at its limit, and so does one that vision has lost for unseen_deadline_s.
+  /// dt_s > 0 is the time since the last call.
   ///
   /// Between two calls a command changes by no more than the limits allow in dt_s, whatever happens to plans; only a
   /// robot whose estimated motion is implausibly far from its last command is picked up where it is, and a wheel limit

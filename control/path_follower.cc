@@ -40,8 +40,8 @@ double speed_along(std::span<const Leg> legs, const Vec2& position_m, const Robo
   double distance_m = std::max(0.0, distance_to_end(legs[0], position_m));
   for (std::size_t i = 0; 2.0 * braking * distance_m < speed * speed; ++i) {
     const bool ends = i + 1 == legs.size();
-    speed = std::min(speed, speed_before(distance_m, ends ? 0.0 : corner_speed(legs.subspan(i), limits, params),
-                                         braking));
+    speed =
+        std::min(speed, speed_before(distance_m, ends ? 0.0 : corner_speed(legs.subspan(i), limits, params), braking));
     if (ends) break;
     distance_m += legs[i + 1].length_m;
   }

@@ -11,8 +11,8 @@
 namespace regista {
 
 struct VelocityChoiceParams {
-  double horizon_s = 1.2;  ///< contacts later than this do not count; 0: wanted velocities are taken as they are
-  double weight_m = 0.6;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
+  double horizon_s = 1.0;  ///< contacts later than this do not count; 0: wanted velocities are taken as they are
+  double weight_m = 0.3;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
   bool operator==(const VelocityChoiceParams&) const = default;
 
   template <class Self, class V>
@@ -35,8 +35,8 @@ struct Neighbour {
 double time_to_contact(const Vec2& from_m, const Vec2& velocity_mps, const Neighbour& neighbour,
                        double acceleration_lasts_s);
 
-/// The best of 66 velocities for a robot among neighbours: least |v − wanted| + weight·(1/ttc − 1/horizon). `arrival_s`:
-/// when it will stand anyway, contacts later than that do not count.
+/// The best of 66 velocities for a robot among neighbours: least |v − wanted| + weight·(1/ttc − 1/horizon).
+/// `arrival_s`: when it will stand anyway, contacts later than that do not count.
 Vec2 choose_velocity(const SafetyRobot& robot, double arrival_s, std::span<const Neighbour> neighbours,
                      const VelocityChoiceParams& params, double acceleration_lasts_s);
 

@@ -20,13 +20,14 @@ double nearest_approach_s(const RobotState& a, const RobotState& b, double horiz
 }
 
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
-             double horizon_s, std::vector<Obstacle>& out) {
+             double horizon_s, double team_horizon_s, std::vector<Obstacle>& out) {
   out.assign(obstacles.begin(), obstacles.end());
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const RobotState& other = world.robots[i];
     if (other.id == self.id) continue;
     const bool goal_was_covered = clearance(goal, out[i]) < 0.0;
-    const Vec2 ahead = nearest_approach_s(self, other, horizon_s) * other.twist.velocity_mps;
+    const double ahead_s = other.id.team == self.id.team ? team_horizon_s : horizon_s;
+    const Vec2 ahead = nearest_approach_s(self, other, ahead_s) * other.twist.velocity_mps;
     out[i].a += ahead;
     out[i].b += ahead;
     out[i].radius_m = uncovering_radius(out[i], self.pose.position_m);

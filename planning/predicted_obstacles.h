@@ -14,9 +14,10 @@ namespace regista {
 double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s);
 
 /// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i and is
-/// moved along its velocity to the nearest approach, at most horizon_s ahead; then it shrinks as far as it would cover
-/// the start, or the goal without having covered it unmoved. Values are finite, horizon_s >= 0.
+/// moved along its velocity to the nearest approach, at most team_horizon_s ahead for team-mates of self, horizon_s for
+/// others; then it shrinks as far as it would cover the start, or the goal without having covered it unmoved. Values
+/// are finite, horizons >= 0.
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
-             double horizon_s, std::vector<Obstacle>& out);
+             double horizon_s, double team_horizon_s, std::vector<Obstacle>& out);
 
 }  // namespace regista

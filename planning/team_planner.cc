@@ -1,9 +1,11 @@
 #include "planning/team_planner.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 #include <string>
 
+#include "planning/clearance.h"
 #include "planning/game_rules.h"
 #include "planning/obstacle_growth.h"
 #include "planning/predicted_obstacles.h"
@@ -35,6 +37,20 @@ Plan halted() {
   plan.status = PlanStatus::not_found;
   plan.reason = "halt: every robot stands still";
   return plan;
+}
+
+/// How much nearer to the robot a covered goal counts. Of a robot that stands right on a goal all places around it are
+/// equally near, and noise would have the waiting one run around it; this is far above noise.
+constexpr double kLean_m = 0.02;
+
+void lean(PlanRequest& request, std::span<const Obstacle> obstacles) {
+  bool is_covered = false;
+  for (std::size_t i = 0; i < obstacles.size() && !is_covered; ++i) {
+    is_covered = obstacles[i].core == Core::point && clearance(request.goal, obstacles[i]) < 0.0 &&
+                 !std::binary_search(request.ignored.begin(), request.ignored.end(), i);
+  }
+  const Vec2 back = request.start - request.goal;
+  if (is_covered && back.norm() > kLean_m) request.goal += kLean_m * back.normalized();
 }
 
 }  // namespace
@@ -118,10 +134,13 @@ Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const WorldState& w
 }
 
 Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
-                             const PlanRequest& request) {
+                             PlanRequest request) {
   const std::size_t robots = obstacles.robots.size();
-  if (params_.prediction_horizon_s <= 0.0 || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
-  predict(graph_.field().obstacles(), world, robot, request.goal, params_.prediction_horizon_s, predicted_);
+  lean(request, graph_.field().obstacles());
+  const bool predicts = params_.prediction_horizon_s > 0.0 || params_.team_prediction_horizon_s > 0.0;
+  if (!predicts || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
+  predict(graph_.field().obstacles(), world, robot, request.goal, params_.prediction_horizon_s,
+          params_.team_prediction_horizon_s, predicted_);
   own_graph_.reset(graph_.field().bounds(), predicted_);
   Plan plan = plan_in_field(own_graph_, robots, request);
   // What is expected may leave no way where today's places do.

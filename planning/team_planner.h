@@ -53,7 +53,7 @@ class TeamPlanner {
   Plan plan_robot(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
                   const Target& target, const Stopwatch* stopwatch, std::int64_t budget_ns);
   Plan plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
-                  const PlanRequest& request);
+                  PlanRequest request);
   Plan plan_in_field(graph::SharedGraph& graph, std::size_t robots, const PlanRequest& request);
   std::int64_t budget_ns(std::size_t robots) const;
 
@@ -63,7 +63,7 @@ class TeamPlanner {
   std::unique_ptr<Planner> planner_;
   std::uint64_t generation_ = 0;
   graph::SharedGraph graph_;
-  graph::SharedGraph own_graph_;    ///< of one robot, to which the others' nearest approach decides where they are
+  graph::SharedGraph own_graph_;  ///< of one robot, to which the others' nearest approach decides where they are
   std::vector<Obstacle> predicted_;
   graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
   std::vector<Obstacle> grown_;

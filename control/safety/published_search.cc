@@ -58,8 +58,8 @@ Vec2 published_choice(std::span<const SafetyRobot> team, std::size_t self, std::
     for (int i = 0; i < params.directions; ++i) {
       const Vec2 compensated =
           wanted + 2.0 * magnitude * largest_mps * direction(i, static_cast<int>(params.directions));
-      const Vec2 reachable = limited_velocity(robot.velocity_mps, clamped_norm(compensated, robot.speed_max_mps),
-                                              limits, period_s);
+      const Vec2 reachable =
+          limited_velocity(robot.velocity_mps, clamped_norm(compensated, robot.speed_max_mps), limits, period_s);
       const auto count = hits(reachable);
       if (count >= fewest) continue;
       fewest = count;

@@ -1,6 +1,6 @@
-// Dynamic safety search as the visibility-sampling paper tells it ("Control, Trajectory, and Dynamic Safety Search"): one
-// robot at a time is controlled, all others, team-mates included, are not. The paper gives no numbers; those here are
-// guesses, named where they stand.
+// Dynamic safety search as the visibility-sampling paper tells it ("Control, Trajectory, and Dynamic Safety Search"):
+// one robot at a time is controlled, all others, team-mates included, are not. The paper gives no numbers; those here
+// are guesses, named where they stand.
 #pragma once
 
 #include <span>

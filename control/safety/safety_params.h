@@ -9,8 +9,8 @@ namespace regista {
 
 struct SafetyParams {
   std::string mode = "team";  ///< "none", "published" (as the visibility-sampling paper tells it) or "team"
-  /// Between bodies of the team. Noise of vision and delays eat it: at 20 mm no contact was seen with nominal noise, and
-  /// throughput does not depend on it up to 40 mm (../README.md, "bench margins").
+  /// Between bodies of the team. Noise of vision and delays eat it: at 20 mm no contact was seen with nominal noise,
+  /// and throughput does not depend on it up to 40 mm (../README.md, "bench margins").
   double team_margin_m = 0.02;
   double opponent_margin_m = 0.03;  ///< likewise; their motion is known less well
   /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
@@ -36,7 +36,8 @@ struct SafetyParams {
     v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");
     v("horizon_s", self.horizon_s, Range{0.01, 10.0}, "s", "opponents are predicted so far");
     v("directions", self.directions, Range{1.0, 360.0}, "", "of sampled accelerations, three magnitudes each");
-    v("hold_s", self.hold_s, Range{0.0, 2.0}, "s", "where possible, team-mates are kept clear of for so long before braking");
+    v("hold_s", self.hold_s, Range{0.0, 2.0}, "s",
+      "where possible, team-mates are kept clear of for so long before braking");
   }
 };
 

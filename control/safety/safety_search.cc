@@ -49,8 +49,7 @@ void SafetySearch::predict(std::span<const Opponent> opponents) {
   const double lasts_s = std::min(params_->acceleration_lasts_s, params_->horizon_s);
   for (const Opponent& opponent : opponents) {
     OpponentModel model;
-    model.braking =
-        braking(opponent.position_m, opponent.velocity_mps, 0.0, limits_->braking_max_mps2, period_s_);
+    model.braking = braking(opponent.position_m, opponent.velocity_mps, 0.0, limits_->braking_max_mps2, period_s_);
     model.predicted = Motion(opponent.position_m, opponent.velocity_mps);
     if (lasts_s > 0.0) model.predicted.then(opponent.acceleration_mps2, lasts_s);
     if (params_->horizon_s > lasts_s) model.predicted.then(Vec2::Zero(), params_->horizon_s - lasts_s);
@@ -70,8 +69,8 @@ void SafetySearch::sample(const SafetyRobot& robot) {
   samples_.clear();
   const double largest_mps = std::max(limits_->acceleration_max_mps2, limits_->braking_max_mps2) * period_s_;
   const auto add = [&](const Vec2& velocity_mps) {
-    const Vec2 reachable = limited_velocity(
-        robot.velocity_mps, clamped_norm(velocity_mps, robot.speed_max_mps), *limits_, period_s_);
+    const Vec2 reachable =
+        limited_velocity(robot.velocity_mps, clamped_norm(velocity_mps, robot.speed_max_mps), *limits_, period_s_);
     samples_.emplace_back((reachable - robot.wanted_mps).squaredNorm(), reachable);
   };
   add(Vec2::Zero());
@@ -82,14 +81,13 @@ void SafetySearch::sample(const SafetyRobot& robot) {
   for (std::int64_t i = 0; i < params_->directions; ++i) {
     const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(params_->directions);
     const Vec2 direction = rotated(ahead, angle);
-    const Vec2 furthest = limited_velocity(robot.velocity_mps, robot.velocity_mps + largest_mps * direction, *limits_,
-                                           period_s_);
+    const Vec2 furthest =
+        limited_velocity(robot.velocity_mps, robot.velocity_mps + largest_mps * direction, *limits_, period_s_);
     for (const double magnitude : kMagnitudes) {
       add(robot.velocity_mps + magnitude * (furthest - robot.velocity_mps));
     }
   }
-  std::stable_sort(samples_.begin(), samples_.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::stable_sort(samples_.begin(), samples_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
 Vec2 SafetySearch::choose_for(std::size_t robot) {
@@ -106,8 +104,8 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
     }
     return best == Safety::ahead;
   };
-  const Vec2 wanted = limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_,
-                                       period_s_);
+  const Vec2 wanted =
+      limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_, period_s_);
   if (!consider(wanted)) {
     sample(self);
     for (const auto& [distance, next_mps] : samples_) {
@@ -131,7 +129,7 @@ SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next
   if (!is_clear_of_predicted(robot, next_mps, motion)) return Safety::opponents_brake;
   if (params_->hold_s <= 0.0) return Safety::ahead;
   return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
-                                                                                        : Safety::opponents_predicted;
+                                                                                         : Safety::opponents_predicted;
 }
 
 bool SafetySearch::is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const {
@@ -161,8 +159,7 @@ bool SafetySearch::is_clear_of_shapes(std::size_t robot, const Motion& motion) c
 bool SafetySearch::is_clear_of_braking_opponents(std::size_t robot, const Motion& motion) const {
   const Vec2& position_m = team_[robot].position_m;
   return std::all_of(opponents_.begin(), opponents_.end(), [&](const OpponentModel& opponent) {
-    const double gap_m =
-        attainable(opponent.braking_gap_m, position_m, opponent.braking.phases().front().position_m);
+    const double gap_m = attainable(opponent.braking_gap_m, position_m, opponent.braking.phases().front().position_m);
     return keep_apart(motion, opponent.braking, {gap_m}, kNever);
   });
 }
@@ -173,8 +170,7 @@ bool SafetySearch::is_clear_of_predicted(std::size_t robot, const Vec2& next_mps
   const SafetyRobot& self = team_[robot];
   const auto keeps_apart_from_all = [&](const Motion& ours) {
     return std::all_of(opponents_.begin(), opponents_.end(), [&](const OpponentModel& opponent) {
-      const double gap_m =
-          attainable(opponent.gap_m, self.position_m, opponent.predicted.phases().front().position_m);
+      const double gap_m = attainable(opponent.gap_m, self.position_m, opponent.predicted.phases().front().position_m);
       return keep_apart(ours, opponent.predicted, {gap_m}, params_->horizon_s);
     });
   };

@@ -4,8 +4,8 @@
 
 namespace regista {
 
-Surroundings surroundings_of(Team team, const FieldGeometry& field, const WorldState& world,
-                             const Situation& situation, double robot_radius_m) {
+Surroundings surroundings_of(Team team, const FieldGeometry& field, const WorldState& world, const Situation& situation,
+                             double robot_radius_m) {
   PlanningParams bare;
   bare.robot_radius_m = robot_radius_m;
   bare.area_margin_m = 0.0;

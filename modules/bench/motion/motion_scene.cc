@@ -106,6 +106,7 @@ MotionScene pinned() {
 
 std::vector<MotionScene> swap_scenes() {
   return {circle_swap(11, 4.0, false),
+          circle_swap(22, 4.0, false),
           circle_swap(22, 4.0, true),
           circle_swap(100, 10.0, false),
           corridor(),
