@@ -43,6 +43,49 @@ void ObstacleBoxes::Block::pad(std::size_t lane) {
   radius[lane] = kNever;
 }
 
+ObstacleBoxes::Sweep ObstacleBoxes::sweep_of(const Motion& motion) const {
+  const double extent_m = std::max({extent_m_, std::abs(motion.from.x()), std::abs(motion.from.y()),
+                                    std::abs(motion.to.x()), std::abs(motion.to.y())});
+  // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
+  const double radius_m = motion.radius_m + 1e-6 * extent_m;
+  const Vec2 half = 0.5 * (motion.to - motion.from);
+  const auto unit_x = static_cast<float>(motion.along.x());
+  const auto unit_y = static_cast<float>(motion.along.y());
+  Sweep sweep;
+  sweep.x = static_cast<float>(motion.from.x() + half.x());
+  sweep.y = static_cast<float>(motion.from.y() + half.y());
+  sweep.half_x = static_cast<float>(std::abs(half.x()) + radius_m);
+  sweep.half_y = static_cast<float>(std::abs(half.y()) + radius_m);
+  sweep.along_x = unit_x;
+  sweep.along_y = unit_y;
+  sweep.across_x = std::abs(unit_y);
+  sweep.across_y = std::abs(unit_x);
+  sweep.radius = static_cast<float>(radius_m);
+  return sweep;
+}
+
+/// Not separated along x, along y, or across the segment (for a point as core, exactly by its distance to the line).
+std::uint64_t ObstacleBoxes::hits(const Block* begin, const Block* end, const Sweep& sweep) {
+  using std::experimental::abs;
+  const auto load = [](const std::array<float, kLanes>& column) {
+    return Lanes(column.data(), std::experimental::vector_aligned);
+  };
+  std::uint64_t hits = 0;
+  std::size_t lane = 0;
+  for (const Block* block = begin; block != end; ++block, lane += kLanes) {
+    const Lanes x = load(block->x) - sweep.x;
+    const Lanes y = load(block->y) - sweep.y;
+    const Lanes half_x = load(block->half_x);
+    const Lanes half_y = load(block->half_y);
+    const Lanes radius = load(block->radius);
+    const auto hit = abs(x) <= half_x + (radius + sweep.half_x) && abs(y) <= half_y + (radius + sweep.half_y) &&
+                     abs(sweep.along_x * y - sweep.along_y * x) <=
+                         sweep.across_x * half_x + (sweep.across_y * half_y + (radius + sweep.radius));
+    hits |= static_cast<std::uint64_t>(hit.__to_bitset().to_ulong()) << lane;
+  }
+  return hits;
+}
+
 void ObstacleBoxes::clear() {
   extent_m_ = 0.0;
   groups_.clear();
