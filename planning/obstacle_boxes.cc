@@ -11,13 +11,13 @@ constexpr std::size_t kSmallField = 64;
 /// A padding box: its radius is below minus anything, so nothing is near enough.
 constexpr float kNever = -1e30F;
 
-Vec2 low_of(const Obstacle& obstacle) { return obstacle.a.cwiseMin(obstacle.b); }
-Vec2 high_of(const Obstacle& obstacle) { return obstacle.a.cwiseMax(obstacle.b); }
+/// The core's box.
+Vec2 middle_of(const Obstacle& obstacle) { return 0.5 * (obstacle.a + obstacle.b); }
+Vec2 half_of(const Obstacle& obstacle) { return 0.5 * (obstacle.b - obstacle.a).cwiseAbs(); }
 
 /// No coordinate of it is larger.
-double reach_of(const Obstacle& obstacle) {
-  return obstacle.radius_m + std::max({std::abs(obstacle.a.x()), std::abs(obstacle.a.y()), std::abs(obstacle.b.x()),
-                                       std::abs(obstacle.b.y())});
+Vec2 reach_of(const Obstacle& obstacle) {
+  return obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs()) + Vec2::Constant(obstacle.radius_m);
 }
 
 /// The lower 16 bits, each moved to twice its place.
@@ -30,11 +30,11 @@ std::uint64_t spread(std::uint64_t bits) {
 
 }  // namespace
 
-void ObstacleBoxes::Block::set(std::size_t lane, const Vec2& low, const Vec2& high, double radius_m) {
-  x[lane] = static_cast<float>(0.5 * (low.x() + high.x()));
-  y[lane] = static_cast<float>(0.5 * (low.y() + high.y()));
-  half_x[lane] = static_cast<float>(0.5 * (high.x() - low.x()));
-  half_y[lane] = static_cast<float>(0.5 * (high.y() - low.y()));
+void ObstacleBoxes::Block::set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m) {
+  x[lane] = static_cast<float>(middle.x());
+  y[lane] = static_cast<float>(middle.y());
+  half_x[lane] = static_cast<float>(half.x());
+  half_y[lane] = static_cast<float>(half.y());
   radius[lane] = static_cast<float>(radius_m);
 }
 
@@ -94,21 +94,20 @@ void ObstacleBoxes::clear() {
 }
 
 void ObstacleBoxes::append(const Obstacle& obstacle, ObstacleIndex index) {
-  extent_m_ = std::max(extent_m_, reach_of(obstacle));
+  extent_m_ = std::max(extent_m_, reach_of(obstacle).maxCoeff());
   const std::size_t lane = index_.size() % kLanes;
   if (lane == 0) {
     blocks_.emplace_back();
     for (std::size_t i = 0; i < kLanes; ++i) blocks_.back().pad(i);
   }
-  blocks_.back().set(lane, low_of(obstacle), high_of(obstacle), obstacle.radius_m);
+  blocks_.back().set(lane, middle_of(obstacle), half_of(obstacle), obstacle.radius_m);
   index_.push_back(index);
 }
 
 void ObstacleBoxes::assign(std::span<const Obstacle> obstacles) {
-  extent_m_ = 0.0;
-  for (const Obstacle& obstacle : obstacles) {
-    extent_m_ = std::max(extent_m_, reach_of(obstacle));
-  }
+  Vec2 extent = Vec2::Zero();
+  for (const Obstacle& obstacle : obstacles) extent = extent.cwiseMax(reach_of(obstacle));
+  extent_m_ = extent.maxCoeff();
   groups_.clear();
   index_.resize(obstacles.size());
   blocks_.resize((obstacles.size() + kLanes - 1) / kLanes);
@@ -119,7 +118,7 @@ void ObstacleBoxes::assign(std::span<const Obstacle> obstacles) {
   }
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Obstacle& obstacle = obstacles[index_[i]];
-    blocks_[i / kLanes].set(i % kLanes, low_of(obstacle), high_of(obstacle), obstacle.radius_m);
+    blocks_[i / kLanes].set(i % kLanes, middle_of(obstacle), half_of(obstacle), obstacle.radius_m);
   }
   for (std::size_t i = obstacles.size(); i < blocks_.size() * kLanes; ++i) blocks_[i / kLanes].pad(i % kLanes);
 }
@@ -130,7 +129,7 @@ void ObstacleBoxes::sort_into_groups(std::span<const Obstacle> obstacles) {
   const double scale = extent_m_ > 0.0 ? 0.5 * kCells / extent_m_ : 0.0;
   order_.clear();
   for (ObstacleIndex i = 0; i < obstacles.size(); ++i) {
-    const Vec2 place = (0.5 * (obstacles[i].a + obstacles[i].b) + Vec2::Constant(extent_m_)) * scale;
+    const Vec2 place = (middle_of(obstacles[i]) + Vec2::Constant(extent_m_)) * scale;
     order_.emplace_back(
         spread(static_cast<std::uint64_t>(place.x())) | (spread(static_cast<std::uint64_t>(place.y())) << 1), i);
   }
@@ -143,10 +142,11 @@ void ObstacleBoxes::sort_into_groups(std::span<const Obstacle> obstacles) {
     for (std::size_t i = group * kGroupSize; i < std::min((group + 1) * kGroupSize, order_.size()); ++i) {
       index_[i] = order_[i].second;
       const Obstacle& obstacle = obstacles[index_[i]];
-      low = low.cwiseMin(low_of(obstacle) - Vec2::Constant(obstacle.radius_m));
-      high = high.cwiseMax(high_of(obstacle) + Vec2::Constant(obstacle.radius_m));
+      const Vec2 reach = half_of(obstacle) + Vec2::Constant(obstacle.radius_m);
+      low = low.cwiseMin(middle_of(obstacle) - reach);
+      high = high.cwiseMax(middle_of(obstacle) + reach);
     }
-    groups_[group / kLanes].set(group % kLanes, low, high, 0.0);
+    groups_[group / kLanes].set(group % kLanes, 0.5 * (low + high), 0.5 * (high - low), 0.0);
   }
   for (std::size_t i = groups; i < groups_.size() * kLanes; ++i) groups_[i / kLanes].pad(i % kLanes);
 }

@@ -57,7 +57,7 @@ class ObstacleBoxes {
   /// As many boxes as there are lanes, each grown by a radius.
   struct alignas(sizeof(float) * kLanes) Block {
     std::array<float, kLanes> x, y, half_x, half_y, radius;
-    void set(std::size_t lane, const Vec2& low, const Vec2& high, double radius_m);
+    void set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m);
     void pad(std::size_t lane);
   };
 
