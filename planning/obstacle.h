@@ -33,10 +33,10 @@ inline Obstacle rounded_rectangle(const Vec2& corner, const Vec2& opposite, doub
 
 /// True when no number is larger than kLargest_m, all are numbers, and the radius is not negative.
 inline bool is_valid(const Obstacle& obstacle) {
-  const double largest_m = std::max({std::abs(obstacle.a.x()), std::abs(obstacle.a.y()), std::abs(obstacle.b.x()),
-                                     std::abs(obstacle.b.y()), std::abs(obstacle.radius_m)});
+  const double largest_m =
+      std::max(obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs()).maxCoeff(), obstacle.radius_m);
   // A sum keeps what is not a number; a maximum may lose it.
-  const double sum = obstacle.a.x() + obstacle.a.y() + obstacle.b.x() + obstacle.b.y() + obstacle.radius_m;
+  const double sum = (obstacle.a + obstacle.b).sum();
   return largest_m <= kLargest_m && sum == sum && obstacle.radius_m >= 0.0;
 }
 

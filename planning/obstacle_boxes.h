@@ -57,7 +57,7 @@ class ObstacleBoxes {
   /// As many boxes as there are lanes, each grown by a radius.
   struct alignas(sizeof(float) * kLanes) Block {
     std::array<float, kLanes> x, y, half_x, half_y, radius;
-    void set(std::size_t lane, const Vec2& low, const Vec2& high, double radius_m);
+    void set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m);
     void pad(std::size_t lane);
   };
 
@@ -67,48 +67,19 @@ class ObstacleBoxes {
     Lanes along_x, along_y;      ///< unit vector, or zero
     Lanes across_x, across_y;    ///< magnitudes of the unit vector across
     Lanes radius;
-
-    Sweep(const Motion& motion, double radius_m) {
-      const Vec2 half = 0.5 * (motion.to - motion.from);
-      const auto unit_x = static_cast<float>(motion.along.x());
-      const auto unit_y = static_cast<float>(motion.along.y());
-      x = static_cast<float>(motion.from.x() + half.x());
-      y = static_cast<float>(motion.from.y() + half.y());
-      half_x = static_cast<float>(std::abs(half.x()) + radius_m);
-      half_y = static_cast<float>(std::abs(half.y()) + radius_m);
-      along_x = unit_x;
-      along_y = unit_y;
-      across_x = std::abs(unit_y);
-      across_y = std::abs(unit_x);
-      radius = static_cast<float>(radius_m);
-    }
   };
+  Sweep sweep_of(const Motion& motion) const;
 
-  static Lanes load(const std::array<float, kLanes>& column) {
-    return Lanes(column.data(), std::experimental::vector_aligned);
-  }
+  /// Bit i: box i of the blocks, which are at most kChunk boxes, may be near. All visits share this code: after other
+  /// work the processor has to fetch it only once.
+  static std::uint64_t hits(const Block* begin, const Block* end, const Sweep& sweep);
+  static constexpr std::size_t kChunk = 64;
 
-  /// Not separated along x, along y, or across the segment (for a point as core, exactly by its distance to the line).
-  static unsigned hits(const Block& block, const Sweep& sweep) {
-    using std::experimental::abs;
-    const Lanes x = load(block.x) - sweep.x;
-    const Lanes y = load(block.y) - sweep.y;
-    const Lanes half_x = load(block.half_x);
-    const Lanes half_y = load(block.half_y);
-    const Lanes radius = load(block.radius);
-    const auto hit = abs(x) <= half_x + (radius + sweep.half_x) && abs(y) <= half_y + (radius + sweep.half_y) &&
-                     abs(sweep.along_x * y - sweep.along_y * x) <=
-                         sweep.across_x * half_x + (sweep.across_y * half_y + (radius + sweep.radius));
-    return static_cast<unsigned>(hit.__to_bitset().to_ulong());
-  }
-
+  /// Calls visit(i) for the bits of `hits`, until it returns true; then true.
   template <class Visit>
-  bool visit_blocks(std::size_t begin, std::size_t end, const Sweep& sweep, std::uint64_t left_out,
-                    Visit& visit) const {
-    for (std::size_t i = begin; i < end; ++i, left_out >>= kLanes) {
-      for (unsigned hit = hits(blocks_[i], sweep) & ~static_cast<unsigned>(left_out); hit != 0; hit &= hit - 1) {
-        if (visit(index_[i * kLanes + static_cast<std::size_t>(std::countr_zero(hit))])) return true;
-      }
+  static bool visit_bits(std::uint64_t hits, Visit&& visit) {
+    for (; hits != 0; hits &= hits - 1) {
+      if (visit(static_cast<std::size_t>(std::countr_zero(hits)))) return true;
     }
     return false;
   }
@@ -124,20 +95,27 @@ class ObstacleBoxes {
 
 template <class Visit>
 void ObstacleBoxes::visit_near(const Motion& motion, Visit&& visit) const {
-  const double extent_m = std::max({extent_m_, std::abs(motion.from.x()), std::abs(motion.from.y()),
-                                    std::abs(motion.to.x()), std::abs(motion.to.y())});
-  // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
-  const Sweep sweep(motion, motion.radius_m + 1e-6 * extent_m);
-  if (groups_.empty()) {
-    visit_blocks(0, blocks_.size(), sweep, motion.left_out, visit);
-    return;
-  }
-  constexpr std::size_t kBlocks = kGroupSize / kLanes;
-  for (std::size_t i = 0; i < groups_.size(); ++i) {
-    for (unsigned hit = hits(groups_[i], sweep); hit != 0; hit &= hit - 1) {
-      const std::size_t begin = (i * kLanes + static_cast<std::size_t>(std::countr_zero(hit))) * kBlocks;
-      if (visit_blocks(begin, std::min(begin + kBlocks, blocks_.size()), sweep, 0, visit)) return;
+  const Sweep sweep = sweep_of(motion);
+  constexpr std::size_t kBlocks = kChunk / kLanes;
+  const Block* const end = blocks_.data() + blocks_.size();
+  std::uint64_t left_out = motion.left_out;
+  const std::vector<Block>& top = groups_.empty() ? blocks_ : groups_;
+  for (std::size_t first = 0; first < top.size(); first += kBlocks) {
+    const Block* const begin = top.data() + first;
+    const std::uint64_t near = hits(begin, top.data() + std::min(first + kBlocks, top.size()), sweep);
+    if (groups_.empty()) {
+      const auto visit_box = [&](std::size_t i) { return visit(index_[first * kLanes + i]); };
+      if (visit_bits(near & ~left_out, visit_box)) return;
+      left_out = 0;
+      continue;
     }
+    const auto visit_group = [&](std::size_t i) {
+      const std::size_t group = (first * kLanes + i) * kGroupSize;
+      const Block* const of_group = blocks_.data() + group / kLanes;
+      return visit_bits(hits(of_group, std::min(of_group + kGroupSize / kLanes, end), sweep),
+                        [&](std::size_t k) { return visit(index_[group + k]); });
+    };
+    if (visit_bits(near, visit_group)) return;
   }
 }
 

@@ -1,7 +1,5 @@
 #include "planning/graph/active_obstacles.h"
 
-#include <utility>
-
 namespace regista::graph {
 namespace {
 
@@ -15,7 +13,7 @@ void ActiveObstacles::clear(std::size_t obstacles) {
   list_.clear();
   boxes_.clear();
   is_active_.assign(obstacles, 0);
-  recent_.fill(kBounds);
+  recent_ = kBounds;
 }
 
 void ActiveObstacles::add(const ObstacleField& field, ObstacleIndex obstacle, const Vec2& goal) {
@@ -34,16 +32,12 @@ bool ActiveObstacles::are_clear_of(const ObstacleField& field, ObstacleBoxes::Mo
     return slot != from && slot != to && !is_free(motion.from, motion.to, field.obstacles()[list_[slot]]);
   };
   // What blocked a leg blocks its neighbours as well. Among few it is not worth the question.
-  for (std::size_t k = 0; slots_.size() > kFew && k < recent_.size(); ++k) {
-    if (recent_[k] == kBounds || !blocks(recent_[k])) continue;
-    if (k > 0) std::swap(recent_[k], recent_[k - 1]);
-    return false;
-  }
+  if (slots_.size() > kFew && recent_ != kBounds && blocks(recent_)) return false;
   motion.left_out = left_out_bit(from) | left_out_bit(to);
   bool is_blocked = false;
   boxes_.visit_near(motion, [&](std::uint32_t slot) {
     is_blocked = blocks(slot);
-    if (is_blocked) recent_.back() = slot;
+    if (is_blocked) recent_ = slot;
     return is_blocked;
   });
   return !is_blocked;

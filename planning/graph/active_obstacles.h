@@ -2,7 +2,6 @@
 // against all of them.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -49,9 +48,9 @@ class ActiveObstacles {
  private:
   std::vector<Slot> slots_;
   std::vector<ObstacleIndex> list_;
-  ObstacleBoxes boxes_;                    ///< by slot
-  std::vector<std::uint8_t> is_active_;    ///< by obstacle
-  std::array<std::uint32_t, 4> recent_{};  ///< slots that blocked something lately, or kBounds
+  ObstacleBoxes boxes_;                  ///< by slot
+  std::vector<std::uint8_t> is_active_;  ///< by obstacle
+  std::uint32_t recent_ = kBounds;       ///< the slot that blocked the last leg, or kBounds
 };
 
 }  // namespace regista::graph

@@ -22,7 +22,7 @@ inline Body body_of(const Vec2& point) {
   return body;
 }
 
-/// Where legs may leave a disc: from one normal on to another, gone round on a side, less than half way round. Nothing
+/// Where legs may leave a disc: from one normal on to another, gone round on a side, at most half way round. Nothing
 /// narrow allows all.
 struct Departures {
   bool is_narrow = false;
@@ -36,6 +36,9 @@ struct Departures {
     return !is_narrow ||
            (side * cross(begin, normal) >= -kRounding * scale && side * cross(normal, end) >= -kRounding * scale);
   }
+
+  /// All of what is that far from where they begin, within a circle, lies beyond the tangent there: no leg leads to it.
+  bool leave_out(const Vec2& apart, double radius_m) const { return is_narrow && begin.dot(apart) > radius_m; }
 };
 
 /// Calls visit(tangent) for each leg that leaves `from`, gone round on

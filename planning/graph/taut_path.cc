@@ -11,6 +11,11 @@ void append(const Vec2& point, std::vector<Vec2>& path) {
   if (path.empty() || path.back() != point) path.push_back(point);
 }
 
+/// By the angle of the unit vector `by`.
+Vec2 turned(const Vec2& by, const Vec2& v) {
+  return {by.x() * v.x() - by.y() * v.y(), by.y() * v.x() + by.x() * v.y()};
+}
+
 /// One corner's circle between two of its normals.
 class CornerArc {
  public:
@@ -25,14 +30,16 @@ class CornerArc {
       append(corner_ + from_both(from, to), path_);
       return;
     }
+    // Series: half a step is below 0.055.
     const double half_rad = 0.5 * angle_rad / steps;
-    const double reach_m = radius_m_ / std::cos(half_rad);
-    const Vec2 turned(std::cos(2.0 * half_rad), side_ * std::sin(2.0 * half_rad));
-    Vec2 normal = rotated(from, side_ * half_rad);
-    for (int i = 0; i < steps; ++i) {
-      append(corner_ + reach_m * normal, path_);
-      normal = {turned.x() * normal.x() - turned.y() * normal.y(), turned.y() * normal.x() + turned.x() * normal.y()};
-    }
+    const double half2 = half_rad * half_rad;
+    const double cosine = 1.0 - half2 / 2 * (1.0 - half2 / 12 * (1.0 - half2 / 30));
+    const double sine = side_ * half_rad * (1.0 - half2 / 6 * (1.0 - half2 / 20 * (1.0 - half2 / 42)));
+    const double reach_m = radius_m_ / cosine;
+    const Vec2 half(cosine, sine);
+    const Vec2 whole = turned(half, half);
+    Vec2 normal = turned(half, from);
+    for (int i = 0; i < steps; ++i, normal = turned(whole, normal)) append(corner_ + reach_m * normal, path_);
   }
 
  private:

@@ -37,7 +37,7 @@ void VisibilityFront::begin(SharedGraph& graph, const Query& query) {
   marked_.clear();
   marked_boxes_.clear();
   is_marked_.assign(field_->size(), 0);
-  recent_.fill(kBounds);
+  recent_ = kBounds;
   edges_tested_ = 0;
   rest_within_m_ = kRestWithin_m;
   targets_checked_at_ = 0;
@@ -175,18 +175,15 @@ bool VisibilityFront::widen() {
 /// Marked obstacles alone.
 bool VisibilityFront::is_free_of_marked(const Vec2& from, const Vec2& to) {
   // What blocked an edge blocks its neighbours as well.
-  for (std::size_t k = 0; k < recent_.size(); ++k) {
-    if (recent_[k] == kBounds) continue;
-    const Obstacle& obstacle = field_->obstacles()[recent_[k]];
-    if (is_free_of_disc(from, to, obstacle.a, obstacle.radius_m)) continue;
-    if (k > 0) std::swap(recent_[k], recent_[k - 1]);
-    return false;
+  if (recent_ != kBounds) {
+    const Obstacle& obstacle = field_->obstacles()[recent_];
+    if (!is_free_of_disc(from, to, obstacle.a, obstacle.radius_m)) return false;
   }
   bool is_blocked = false;
   marked_boxes_.visit_near(from, to, 0.0, [&](ObstacleIndex i) {
     const Obstacle& obstacle = field_->obstacles()[i];
     is_blocked = !is_free(from, to, obstacle);
-    if (is_blocked && obstacle.core == Core::point) recent_.back() = i;
+    if (is_blocked && obstacle.core == Core::point) recent_ = i;
     return is_blocked;
   });
   return !is_blocked;

@@ -3,8 +3,6 @@
 // blocks an edge that the search is about to use.
 #pragma once
 
-#include <array>
-
 #include "planning/graph/shared_graph.h"
 #include "planning/request.h"
 
@@ -84,12 +82,12 @@ class VisibilityFront {
   std::vector<Local> expanded_;
   std::vector<Edge> queue_;  ///< a heap, least estimate first
   std::vector<ObstacleIndex> marked_;
-  ObstacleBoxes marked_boxes_;             ///< the same, for fast tests
-  std::vector<std::uint8_t> is_marked_;    ///< by obstacle
-  std::array<ObstacleIndex, 4> recent_{};  ///< marked discs that blocked something lately
-  std::vector<ObstacleIndex> blockers_;    ///< scratch
-  double limit_m_ = 0.0;                   ///< edges of a larger estimate wait outside of the queue
-  double least_beyond_m_ = 0.0;            ///< the least estimate of these
+  ObstacleBoxes marked_boxes_;           ///< the same, for fast tests
+  std::vector<std::uint8_t> is_marked_;  ///< by obstacle
+  ObstacleIndex recent_ = kBounds;       ///< a marked disc that blocked something lately, or kBounds
+  std::vector<ObstacleIndex> blockers_;  ///< scratch
+  double limit_m_ = 0.0;                 ///< edges of a larger estimate wait outside of the queue
+  double least_beyond_m_ = 0.0;          ///< the least estimate of these
   int edges_tested_ = 0;
   double rest_within_m_ = 0.0;          ///< of what was reached, when nothing that blocked anything helps
   std::size_t targets_checked_at_ = 0;  ///< so many marked obstacles
