@@ -136,7 +136,10 @@ TEST_CASE("the soak catches a path through an obstacle, whatever it is called") 
 }
 
 TEST_CASE("no planner leads through an obstacle") {
-  if (const char* named = soaked_planner()) REQUIRE_NOTHROW(planner_entry(named));
+  if (const char* named = soaked_planner()) {
+    if (std::string_view(named) == "safety") return;  // safety_soak_test.cc
+    REQUIRE_NOTHROW(planner_entry(named));
+  }
   for (const PlannerEntry& entry : planners()) {
     if (soaked_planner() != nullptr && entry.name != soaked_planner()) continue;
     DYNAMIC_SECTION(entry.name) {
