@@ -15,9 +15,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Two that are already nearer than they should be must at least come no nearer; less than this is no way. Metres.
 constexpr double kStill_m = 1e-9;
 
-/// A hit that is expected this soon can no longer be got out of the way of, only be slowed down for. Seconds.
-constexpr double kSoon_s = 0.3;
-
 /// Parts of the largest acceleration that are sampled.
 constexpr std::array kMagnitudes{1.0, 2.0 / 3.0, 1.0 / 3.0};
 
@@ -121,14 +118,6 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
     expected_[robot] = promise;
     return promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero());
   }
-  if (best == Safety::opponents_brake &&
-      !is_clear_of_predicted(robot, chosen, promised_candidate_, std::min(kSoon_s, params_->horizon_s))) {
-    // An opponent is expected to hit whatever is done: the slower we are, the less it is our fault.
-    const Vec2 slower = limited_velocity(self.velocity_mps, Vec2::Zero(), *limits_, period_s_);
-    best = Safety::team;
-    consider(slower);
-    if (best < Safety::opponents_brake) best = Safety::opponents_brake;
-  }
   promised_[robot] = promised_candidate_;
   expected_[robot] = motion_to(robot, chosen, params_->hold_s);
   return chosen;
@@ -137,7 +126,7 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
 SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
   if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return Safety::none;
   if (!is_clear_of_braking_opponents(robot, motion)) return Safety::team;
-  if (!is_clear_of_predicted(robot, next_mps, motion, params_->horizon_s)) return Safety::opponents_brake;
+  if (!is_clear_of_predicted(robot, next_mps, motion)) return Safety::opponents_brake;
   if (params_->hold_s <= 0.0) return Safety::ahead;
   return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
                                                                                          : Safety::opponents_predicted;
@@ -177,13 +166,12 @@ bool SafetySearch::is_clear_of_braking_opponents(std::size_t robot, const Motion
 
 /// Either braking or going on through must be clear of where each opponent is expected: who only ever brakes comes to
 /// stand in the line of fire.
-bool SafetySearch::is_clear_of_predicted(std::size_t robot, const Vec2& next_mps, const Motion& motion,
-                                         double until_s) const {
+bool SafetySearch::is_clear_of_predicted(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
   const SafetyRobot& self = team_[robot];
   const auto keeps_apart_from_all = [&](const Motion& ours) {
     return std::all_of(opponents_.begin(), opponents_.end(), [&](const OpponentModel& opponent) {
       const double gap_m = attainable(opponent.gap_m, self.position_m, opponent.predicted.phases().front().position_m);
-      return keep_apart(ours, opponent.predicted, {gap_m}, until_s);
+      return keep_apart(ours, opponent.predicted, {gap_m}, params_->horizon_s);
     });
   };
   if (keeps_apart_from_all(motion)) return true;

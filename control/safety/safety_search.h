@@ -60,7 +60,7 @@ class SafetySearch {
   bool is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const;
   bool is_clear_of_shapes(std::size_t robot, const Motion& motion) const;
   bool is_clear_of_braking_opponents(std::size_t robot, const Motion& motion) const;
-  bool is_clear_of_predicted(std::size_t robot, const Vec2& next_mps, const Motion& motion, double until_s) const;
+  bool is_clear_of_predicted(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
   Motion motion_to(std::size_t robot, const Vec2& next_mps, double hold_s) const;
 
   // Of the call that is being answered.
