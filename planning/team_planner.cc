@@ -39,6 +39,9 @@ Plan halted() {
   return plan;
 }
 
+/// The picture of one graph keeps within 2000 edges, so that it fits a datagram; so does that of several.
+constexpr std::size_t kPictureEdgesMax = 2000;
+
 /// How much nearer to the robot a covered goal counts. Of a robot that stands right on a goal all places around it are
 /// equally near, and noise would have the waiting one run around it; this is far above noise.
 constexpr double kLean_m = 0.02;
@@ -81,6 +84,7 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
   captured_ = world.captured;
   world_sequence_ = world.sequence;
   const std::int64_t robot_budget_ns = stopwatch != nullptr ? budget_ns(targets.targets.size()) : 0;
+  own_graphs_used_ = 0;
   TeamPlans out;
   for (Target target : targets.targets) {
     const RobotState* robot = find_robot(world, {team_, target.robot});
@@ -141,10 +145,16 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
   if (!predicts || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
   predict(graph_.field().obstacles(), world, robot, request.goal, params_.prediction_horizon_s,
           params_.team_prediction_horizon_s, predicted_);
-  own_graph_.reset(graph_.field().bounds(), predicted_);
-  Plan plan = plan_in_field(own_graph_, robots, request);
+  graph::SharedGraph& own = own_graph();
+  own.reset(graph_.field().bounds(), predicted_);
+  Plan plan = plan_in_field(own, robots, request);
   // What is expected may leave no way where today's places do.
   return plan.status == PlanStatus::ok ? plan : plan_in_field(graph_, robots, request);
+}
+
+graph::SharedGraph& TeamPlanner::own_graph() {
+  if (own_graphs_used_ == own_graphs_.size()) own_graphs_.push_back(std::make_unique<graph::SharedGraph>());
+  return *own_graphs_[own_graphs_used_++];
 }
 
 Plan TeamPlanner::plan_in_field(graph::SharedGraph& graph, std::size_t robots, const PlanRequest& request) {
@@ -169,6 +179,13 @@ Plan TeamPlanner::plan_in_field(graph::SharedGraph& graph, std::size_t robots, c
 
 GraphPicture TeamPlanner::picture() const {
   GraphPicture picture = graph_.picture();
+  for (std::size_t i = 0; i < own_graphs_used_; ++i) {
+    const GraphPicture own = own_graphs_[i]->picture();
+    if (picture.edges.size() + own.edges.size() > kPictureEdgesMax) break;
+    const auto first = static_cast<std::uint32_t>(picture.nodes.size());
+    picture.nodes.insert(picture.nodes.end(), own.nodes.begin(), own.nodes.end());
+    for (const GraphEdge& edge : own.edges) picture.edges.push_back({first + edge.from, first + edge.to, edge.blocked});
+  }
   picture.captured = captured_;
   picture.team = team_;
   picture.world_sequence = world_sequence_;

@@ -46,7 +46,7 @@ class TeamPlanner {
   TeamPlans plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
                  const Stopwatch* stopwatch = nullptr, const Situation& situation = {});
 
-  /// The last frame's graph as far as it was needed.
+  /// The last frame's graph as far as it was needed; of graphs that are each robot's own, as many as a picture holds.
   GraphPicture picture() const;
 
  private:
@@ -54,6 +54,7 @@ class TeamPlanner {
                   const Target& target, const Stopwatch* stopwatch, std::int64_t budget_ns);
   Plan plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
                   PlanRequest request);
+  graph::SharedGraph& own_graph();
   Plan plan_in_field(graph::SharedGraph& graph, std::size_t robots, const PlanRequest& request);
   std::int64_t budget_ns(std::size_t robots) const;
 
@@ -63,7 +64,10 @@ class TeamPlanner {
   std::unique_ptr<Planner> planner_;
   std::uint64_t generation_ = 0;
   graph::SharedGraph graph_;
-  graph::SharedGraph own_graph_;  ///< of one robot, to which the others' nearest approach decides where they are
+  /// One per robot where each expects the others at their own nearest approach; the first own_graphs_used_ are of the
+  /// last frame.
+  std::vector<std::unique_ptr<graph::SharedGraph>> own_graphs_;
+  std::size_t own_graphs_used_ = 0;
   std::vector<Obstacle> predicted_;
   graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
   std::vector<Obstacle> grown_;

@@ -280,7 +280,9 @@ TEST_CASE("without a time limit anytime planners end after anytime_iterations") 
 TEST_CASE("a planner that begins in the middle plans like the others from the next targets on") {
   // The one frame's memory is all there is: it ends with the errand, so a replay may begin anywhere.
   std::mt19937_64 random(25);
-  TeamPlanner old(Team::yellow, {});
+  PlanningParams params;
+  params.side_change_gain = 0.05;
+  TeamPlanner old(Team::yellow, params);
   std::optional<TeamPlanner> late;
   int differing = 0;
   for (std::uint64_t errand = 0; errand < 20; ++errand) {
@@ -292,7 +294,7 @@ TEST_CASE("a planner that begins in the middle plans like the others from the ne
         robot.pose.position_m += Vec2(uniform(random, -0.05, 0.05), uniform(random, -0.05, 0.05));
       }
       const bool is_new_errand = errand % 2 == 1;
-      if (!is_new_errand && frame == 20) late.emplace(Team::yellow, PlanningParams{});
+      if (!is_new_errand && frame == 20) late.emplace(Team::yellow, params);
       const std::vector<RobotPlan> recorded = old.plan(division_a(), world, targets).plans;
       if (!late) continue;
       const std::vector<RobotPlan> replayed = late->plan(division_a(), world, targets).plans;
