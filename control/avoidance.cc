@@ -31,7 +31,7 @@ const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::spa
     return chosen_;
   }
   for (std::size_t i = 0; i < team.size(); ++i) {
-    // The follower's two axes may together ask for more than the limit.
+    // Where no search holds a wish down, the limit must.
     chosen_.push_back(mode == SafetyMode::none
                           ? clamped_norm(team[i].wanted_mps, team[i].speed_max_mps)
                           : published_choice(team, i, opponents, params.limits, params.safety, period_s));

@@ -74,7 +74,10 @@ Vec2 to_end(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& limi
   RobotLimits planned = limits;
   planned.braking_max_mps2 *= params.braking_share;
   const double settling_m = 2.0 * planned.braking_max_mps2 * params.settle_time_s * params.settle_time_s;
-  if (distance_m > settling_m) return bang_bang_velocity(way_m, velocity_mps, planned, dt_s);
+  if (distance_m > settling_m) {
+    // An axis above its share of the limit slows down while the other speeds up: together they may exceed the limit.
+    return clamped_norm(bang_bang_velocity(way_m, velocity_mps, planned, dt_s), limits.speed_max_mps);
+  }
   return approach_speed(distance_m - params.settle_distance_m, planned.braking_max_mps2, params.settle_time_s, dt_s) /
          distance_m * way_m;
 }
