@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/controller.h"
+#include "control/path_legs.h"
 
 namespace regista::test {
 
@@ -62,6 +63,14 @@ inline void step(WorldState& world, const TeamCommands& commands, double dt_s) {
     }
   }
   ++world.sequence;
+}
+
+/// What a planner answers that is asked again on the way: the path from the position on, without the vertices passed.
+inline std::vector<Vec2> from_here(const std::vector<Vec2>& path, const Vec2& position) {
+  std::vector<Vec2> ahead{position};
+  for (std::size_t i = nearest_leg(path, position) + 1; i < path.size(); ++i) ahead.push_back(path[i]);
+  if (path.size() == 1) ahead.push_back(path[0]);
+  return ahead;
 }
 
 /// Distance from a point to a polyline.
