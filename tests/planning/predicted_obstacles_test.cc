@@ -52,12 +52,14 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
       world.robots.push_back(random_robot(random, k));
       obstacles.push_back(disc(world.robots.back().pose.position_m, 0.2));
     }
+    world.robots.back().id.team = Team::blue;
     obstacles.push_back(rounded_rectangle({-5, -5}, {-4, 5}, 0.1));
     const RobotState& self = world.robots[2];
     const Vec2 goal = any(random, 2.0);
     const double horizon_s = i % 5 == 0 ? 0.0 : 1.5;
+    const double team_horizon_s = i % 3 == 0 ? 0.0 : 1.0;
     std::vector<Obstacle> out;
-    predict(obstacles, world, self, goal, horizon_s, out);
+    predict(obstacles, world, self, goal, horizon_s, team_horizon_s, out);
     REQUIRE(out.size() == obstacles.size());
     CHECK(out[2] == obstacles[2]);
     CHECK(out[5] == obstacles[5]);
@@ -66,7 +68,8 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
       const RobotState& other = world.robots[k];
       INFO("world " << i << " of seed 92, robot " << k);
       const Vec2 expected =
-          other.pose.position_m + nearest_approach_s(self, other, horizon_s) * other.twist.velocity_mps;
+          other.pose.position_m +
+          nearest_approach_s(self, other, k == 4 ? horizon_s : team_horizon_s) * other.twist.velocity_mps;
       CHECK((out[k].a - expected).norm() <= 1e-12);
       CHECK(out[k].b == out[k].a);
       CHECK(out[k].radius_m <= obstacles[k].radius_m);
@@ -76,7 +79,7 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
       shrunk += out[k].radius_m < obstacles[k].radius_m ? 1 : 0;
     }
   }
-  CHECK(shrunk > 50);
+  CHECK(shrunk > 20);
 }
 
 }  // namespace
