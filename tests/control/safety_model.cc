@@ -100,6 +100,10 @@ class Model {
     for (std::size_t other = 0; other < promised_.size(); ++other) {
       if (other != robot && !keeps_apart(robot, motion, other)) return false;
     }
+    return is_clear_of_hall(robot, motion);
+  }
+
+  bool is_clear_of_hall(std::size_t robot, const Motion& motion) const {
     const Vec2& here_m = team_.robots[robot].position_m;
     if (!keeps_inside(motion, team_.around.half_extent_m.cwiseMax(here_m.cwiseAbs()))) return false;
     return std::all_of(team_.around.shapes.begin(), team_.around.shapes.end(), [&](const Obstacle& shape) {
@@ -135,6 +139,7 @@ class Model {
     double most_m = -1.0;
     for (const Vec2& next_mps : candidates) {
       const Motion motion = to(robot, next_mps);
+      if (!is_clear_of_hall(robot, motion)) continue;
       double least_m = 3.0 * team_.limits.radius_m;
       for (std::size_t other = 0; other < promised_.size(); ++other) {
         if (other != robot) least_m = least_distance(motion, promised_[other], least_m);

@@ -88,10 +88,9 @@ std::string contact_of(const SafeTeam& team, std::span<const Vec2> next_mps, std
   const std::string who = "robot " + std::to_string(i);
   const Vec2 outside_m = furthest(phase, team.period_s) - team.around.half_extent_m;
   if (outside_m.maxCoeff() > kContact_m) return who + " is outside by " + std::to_string(outside_m.maxCoeff()) + " m";
-  const Motion motion =
-      manoeuvre(phase.position_m, phase.velocity_mps, next_mps[i], 0.0, team.limits.braking_max_mps2, team.period_s);
+  Motion motion(phase.position_m, phase.velocity_mps);
+  motion.then(phase.acceleration_mps2, team.period_s);
   for (const Obstacle& shape : team.around.shapes) {
-    // Braking from there must be free too, so a post is noticed while it is still ahead.
     if (least_clearance(motion, shape, 0.0) < -kContact_m) return who + " meets a post";
   }
   for (std::size_t j = 0; j < i; ++j) {
