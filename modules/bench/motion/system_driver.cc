@@ -20,7 +20,8 @@ TeamCommands SystemDriver::drive(const FieldGeometry& field, const WorldState& w
   plans_ = planner_.plan(field, world, targets).plans;  // without stopwatch: no time limit, so deterministic
   const double planning_us = planning.us();
   const CpuShot control;
-  TeamCommands commands = controller_.update(world, plans_, dt_s, surroundings_of(team_, field, world, Situation{}, radius_m_));
+  TeamCommands commands =
+      controller_.update(world, plans_, dt_s, surroundings_of(team_, field, world, Situation{}, radius_m_));
   times_.push_back({planning_us, control.us()});
   return commands;
 }
