@@ -36,7 +36,8 @@ bool keep_apart_while(const Phase& relative, double length_s, const Gap& gap) {
 }
 
 double end_of(std::span<const Phase> phases, std::size_t i) {
-  return i + 1 < phases.size() ? phases[i + 1].begin_s : kNever;
+  if (i + 1 < phases.size()) return phases[i + 1].begin_s;
+  return kNever;
 }
 
 /// The box leaves out the last phase.
