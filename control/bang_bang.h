@@ -20,9 +20,9 @@ double bang_bang_duration(double distance, double velocity, const AxisLimits& li
 double bang_bang_velocity(double distance, double velocity, const AxisLimits& limits, double dt_s);
 
 /// The same in the plane: `way_m` to the goal, at rest there. Axes in four rotations are tried and the fastest taken;
-/// each axis gets the part cos α, sin α of the limits, with α such that both take equally long. Against the true
-/// optimum for a disc of accelerations that is 1.6 % slower on average (README, "bench motion"). The result is the
-/// velocity after dt_s; braking across the motion is taken to be as strong as along, so motion_limits.h may cut it.
+/// each axis gets the part cos α, sin α of the limits, with α such that both take equally long. How much
+/// slower that is than the true optimum, `regista bench motion` tells (README). The result is the velocity after
+/// dt_s; braking across the motion is taken to be as strong as along, so motion_limits.h may cut it.
 Vec2 bang_bang_velocity(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& limits, double dt_s);
 
 }  // namespace regista

@@ -12,8 +12,8 @@ namespace regista {
 /// How a path becomes a velocity.
 struct FollowerParams {
   double corner_tolerance_m = 0.02;  ///< how far a corner may be rounded
-  /// Corners are not driven slower than this, however sharp: with a new path from where the robot is every tick, and a
-  /// safety search behind it, optimism costs nothing and saves 6 % of the time.
+  /// Corners are not driven slower than this, however sharp: with a new path from where the robot is every tick, and
+  /// a safety search behind it, optimism does no harm.
   double corner_speed_min_mps = 2.0;
   double pursuit_distance_m = 0.05;  ///< the point steered for is so far ahead on the path
   double pursuit_time_s = 0.06;      ///< and farther by the speed times this
