@@ -32,16 +32,6 @@ double trapezoid_duration(double distance, double start_speed, double end_speed,
   return (peak - start_speed) / acceleration + (peak - end_speed) / braking + (cruise > 0.0 ? cruise / peak : 0.0);
 }
 
-void profile_backwards(std::span<double> speeds, std::span<const double> lengths, double braking) {
-  if (speeds.size() != lengths.size() + 1) {
-    throw std::invalid_argument("profile_backwards: " + std::to_string(speeds.size()) + " vertices do not fit " +
-                                std::to_string(lengths.size()) + " legs");
-  }
-  for (std::size_t i = lengths.size(); i-- > 0;) {
-    speeds[i] = std::min(speeds[i], speed_before(lengths[i], speeds[i + 1], braking));
-  }
-}
-
 double approach_speed(double distance, double braking, double settle_time_s, double dt_s) {
   // Exponential part: v = d/τ decelerates by v/τ, which reaches `braking` at v = braking·τ, d = braking·τ². A settle
   // time below one period would overshoot.

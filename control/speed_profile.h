@@ -5,8 +5,6 @@
 // admissible motion has at every place the largest speed from which all limits ahead can still be met.
 #pragma once
 
-#include <span>
-
 namespace regista {
 
 /// The largest speed (m/s, or rad/s for angles) from which slowing down at `braking` reaches `end_speed` within
@@ -18,11 +16,6 @@ double speed_before(double distance, double end_speed, double braking);
 /// throws std::invalid_argument with the values where not.
 double trapezoid_duration(double distance, double start_speed, double end_speed, double speed_max, double acceleration,
                           double braking);
-
-/// The profile over a polyline, in place: `speeds` holds the limit at each vertex (corners; the required end speed at
-/// the last) and afterwards the largest speed there from which all later ones can be met, by the backward pass
-/// v_i² = min(limit_i², v_{i+1}² + 2·braking·length_i). `lengths` are the legs': one fewer than the vertices.
-void profile_backwards(std::span<double> speeds, std::span<const double> lengths, double braking);
 
 /// The speed to hold for the next dt_s so that the motion ends at rest after `distance` >= 0 without passing it, when
 /// speeds change in steps of dt_s. Far away it brakes at `braking`; near, where noise would make that chatter, it

@@ -59,19 +59,6 @@ TEST_CASE("trapezoid_duration refuses what cannot be driven") {
   CHECK_THROWS_AS(trapezoid_duration(1.0, 4.0, 0.0, 3.0, 3.0, 4.0), std::invalid_argument);
 }
 
-TEST_CASE("profile_backwards gives the largest speeds that keep every later limit") {
-  std::vector<double> speeds{3.0, 3.0, 1.0, 3.0, 0.0};
-  const std::vector<double> lengths{2.0, 0.5, 0.5, 0.25};
-  profile_backwards(speeds, lengths, 4.0);
-  CHECK(speeds[4] == 0.0);
-  CHECK(speeds[3] == Approx(std::sqrt(2.0)));
-  CHECK(speeds[2] == 1.0);
-  CHECK(speeds[1] == Approx(std::sqrt(5.0)));
-  CHECK(speeds[0] == 3.0);
-  std::vector<double> too_few{1.0};
-  CHECK_THROWS_AS(profile_backwards(too_few, lengths, 4.0), std::invalid_argument);
-}
-
 TEST_CASE("approach_speed held step by step ends at the place, never beyond it, braking evenly") {
   Dice dice(12);
   for (int i = 0; i < 300; ++i) {

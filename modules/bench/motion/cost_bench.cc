@@ -62,7 +62,7 @@ Table table_of(const std::vector<Row>& rows, const CostOptions& options) {
 }  // namespace
 
 int run_cost(const CostOptions& options, const Run& run) {
-  const std::vector<std::string> safety = has_safety_modes() ? options.safety : std::vector<std::string>{""};
+  const std::vector<std::string>& safety = options.safety;
   Report report(run);
   std::vector<Row> rows(safety.size());
   const std::uint64_t seed = seed_of(options.seeds, run.seed);

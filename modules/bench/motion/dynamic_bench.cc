@@ -34,8 +34,7 @@ struct Row {
 };
 
 std::vector<Row> rows_of(const DynamicOptions& options) {
-  // A controller without that choice has one way only.
-  const std::vector<std::string> safety = has_safety_modes() ? options.safety : std::vector<std::string>{""};
+  const std::vector<std::string>& safety = options.safety;
   std::vector<Row> rows;
   for (const std::string& preset : options.presets) {
     for (const char* scenario : kDynamicScenarios) {

@@ -6,11 +6,6 @@
 
 namespace regista::bench {
 
-bool has_safety_modes() {
-  const std::vector<ParamInfo> known = list_params(ControlParams{});
-  return std::any_of(known.begin(), known.end(), [](const ParamInfo& info) { return info.key == "safety.mode"; });
-}
-
 Config loop_config(const SystemChoice& choice, const std::string& preset, const std::string& division) {
   std::vector<std::string> settings{"scenario.sim_preset=" + preset, "scenario.field.division=" + division};
   if (!choice.planner.empty()) settings.push_back("planner.use=" + choice.planner);

@@ -17,9 +17,6 @@ struct SystemChoice {
   std::vector<std::string> settings;  ///< "planner.key=value", "controller.key=value", "sim.key=value", …
 };
 
-/// Whether the controller can be told how it searches for safety.
-bool has_safety_modes();
-
 /// 11 against 11 of that preset on that division. Throws ConfigError.
 Config loop_config(const SystemChoice& choice, const std::string& preset, const std::string& division = "A");
 
