@@ -9,8 +9,9 @@ namespace regista {
 
 struct SafetyParams {
   std::string mode = "team";  ///< "none", "published" (as the visibility-sampling paper tells it) or "team"
-  /// Between bodies of the team. Noise of vision and delays eat it: with preset noisy no contact that no opponent pushed
-  /// for was seen at 20 mm (README, bench crowd); `regista bench margins` shows what errors of the model ask for.
+  /// Between bodies of the team. Noise of vision and delays eat it: with preset noisy no contact that no opponent
+  /// pushed for was seen at 20 mm (README, bench crowd); `regista bench margins` shows what errors of the model ask
+  /// for.
   double team_margin_m = 0.02;
   double opponent_margin_m = 0.03;  ///< likewise; their motion is known less well
   /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
