@@ -51,7 +51,7 @@ double speed_along(std::span<const Leg> legs, const Vec2& position_m, const Robo
 /// What to ask for next to drive in that direction. The part across goes first: were the whole change asked for at
 /// once, speeding up would starve the turn.
 Vec2 across_first(const Vec2& velocity_mps, const Vec2& direction, double speed, const RobotLimits& limits,
-                  double dt_s) {
+                  double across_share, double dt_s) {
   const Vec2 left = left_of(direction);
   const double across_now = velocity_mps.dot(left);
   // The limits (motion_limits.h) in the direction of the change across: an ellipse with braking where it slows down.
@@ -59,7 +59,7 @@ Vec2 across_first(const Vec2& velocity_mps, const Vec2& direction, double speed,
   const double slowing = speed_now > 0.0 ? std::abs(across_now) / speed_now : 0.0;
   const double across_max = dt_s / std::hypot(slowing / limits.braking_max_mps2,
                                               std::sqrt(1.0 - slowing * slowing) / limits.acceleration_max_mps2);
-  const double share = std::clamp(-across_now / across_max, -kAcrossShare, kAcrossShare);
+  const double share = std::clamp(-across_now / across_max, -across_share, across_share);
   const double along_max = limits.acceleration_max_mps2 * dt_s * std::sqrt(1.0 - share * share);
   const Vec2 next =
       std::min(speed, velocity_mps.dot(direction) + along_max) * direction + (across_now + share * across_max) * left;
@@ -93,7 +93,8 @@ Vec2 follow_path(std::span<const Vec2> path, const Vec2& position_m, const Vec2&
   if (aim.leg + 1 >= legs.size()) return to_end(path.back() - position_m, velocity_mps, limits, params, dt_s);
   const Vec2 way_m = aim.point_m - position_m;
   if (way_m.isZero(0.0)) return velocity_mps;
-  return across_first(velocity_mps, way_m.normalized(), speed_along(legs, position_m, limits, params), limits, dt_s);
+  return across_first(velocity_mps, way_m.normalized(), speed_along(legs, position_m, limits, params), limits,
+                      params.across_share, dt_s);
 }
 
 }  // namespace regista

@@ -8,7 +8,6 @@
 namespace regista {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr int kDirections = 16;
 constexpr std::array kSpeeds{1.0, 0.75, 0.5, 0.25};  ///< parts of the speed limit
 /// Nearer contacts than this are equally bad; nothing can be changed in one period.

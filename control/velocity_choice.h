@@ -11,8 +11,8 @@
 namespace regista {
 
 struct VelocityChoiceParams {
-  double horizon_s = 1.0;  ///< contacts later than this do not count; 0: wanted velocities are taken as they are
-  double weight_m = 0.3;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
+  double horizon_s = 0.7;  ///< contacts later than this do not count; 0: wanted velocities are taken as they are
+  double weight_m = 0.2;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
   bool operator==(const VelocityChoiceParams&) const = default;
 
   template <class Self, class V>

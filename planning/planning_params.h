@@ -25,6 +25,9 @@ struct PlanningParams {
   /// 0: everybody where he is, and the whole team shares one graph.
   double prediction_horizon_s = 0.5;
   double team_prediction_horizon_s = 1.0;
+  /// For the moment of nearest approach a robot is expected to drive straight to its goal at this speed, about the mean
+  /// of a drive. Its present velocity, which a robot that turns is about to leave, drives 4 % fewer targets.
+  double prediction_speed_mps = 2.5;
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
@@ -60,6 +63,8 @@ struct PlanningParams {
     v("prediction_horizon_s", self.prediction_horizon_s, Range{0.0, 5.0}, "s",
       "opponents are expected where they will be at the nearest approach, at most so far ahead; 0: where they are");
     v("team_prediction_horizon_s", self.team_prediction_horizon_s, Range{0.0, 5.0}, "s", "the same for team-mates");
+    v("prediction_speed_mps", self.prediction_speed_mps, Range{0.0, 20.0}, "m/s",
+      "at which a robot is expected to drive to its goal, for the nearest approach");
     v("growth_radius_max_m", self.growth_radius_max_m, Range{0.0, 10.0}, "m",
       "robots grow with their distance from the goal, up to this radius (own body and margin included); 0: not");
     v("growth", self.growth, Range{0.0, 1.0}, "", "radius gained per distance from the goal");

@@ -20,14 +20,18 @@ double nearest_approach_s(const RobotState& a, const RobotState& b, double horiz
 }
 
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
-             double horizon_s, double team_horizon_s, std::vector<Obstacle>& out) {
+             const Prediction& prediction, std::vector<Obstacle>& out) {
   out.assign(obstacles.begin(), obstacles.end());
+  // Of a robot that turns or sets out, the present velocity tells little about where it will be.
+  RobotState on_its_way = self;
+  const Vec2 way = goal - self.pose.position_m;
+  if (!way.isZero(0.0)) on_its_way.twist.velocity_mps = prediction.speed_mps * way.normalized();
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const RobotState& other = world.robots[i];
     if (other.id == self.id) continue;
     const bool goal_was_covered = clearance(goal, out[i]) < 0.0;
-    const double ahead_s = other.id.team == self.id.team ? team_horizon_s : horizon_s;
-    const Vec2 ahead = nearest_approach_s(self, other, ahead_s) * other.twist.velocity_mps;
+    const double ahead_s = other.id.team == self.id.team ? prediction.team_horizon_s : prediction.horizon_s;
+    const Vec2 ahead = nearest_approach_s(on_its_way, other, ahead_s) * other.twist.velocity_mps;
     out[i].a += ahead;
     out[i].b += ahead;
     out[i].radius_m = uncovering_radius(out[i], self.pose.position_m);

@@ -13,11 +13,17 @@ namespace regista {
 /// Seconds until two points that keep their velocities are nearest, in [0, horizon_s]; 0 for no relative motion.
 double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s);
 
+struct Prediction {
+  double horizon_s = 0.0;       ///< of opponents
+  double team_horizon_s = 0.0;  ///< of team-mates
+  double speed_mps = 2.5;       ///< at which the robot itself is expected to drive straight to its goal
+};
+
 /// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i and is
-/// moved along its velocity to the nearest approach, at most team_horizon_s ahead for team-mates of self, horizon_s for
-/// others; then it shrinks as far as it would cover the start, or the goal without having covered it unmoved. Values
-/// are finite, horizons >= 0.
+/// moved along its velocity to the nearest approach, at most so far ahead as the prediction reaches; then it shrinks as
+/// far as it would cover the start, or the goal without having covered it unmoved. Values are finite, all numbers of
+/// the prediction >= 0.
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
-             double horizon_s, double team_horizon_s, std::vector<Obstacle>& out);
+             const Prediction& prediction, std::vector<Obstacle>& out);
 
 }  // namespace regista

@@ -143,8 +143,8 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
   lean(request, graph_.field().obstacles());
   const bool predicts = params_.prediction_horizon_s > 0.0 || params_.team_prediction_horizon_s > 0.0;
   if (!predicts || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
-  predict(graph_.field().obstacles(), world, robot, request.goal, params_.prediction_horizon_s,
-          params_.team_prediction_horizon_s, predicted_);
+  predict(graph_.field().obstacles(), world, robot, request.goal,
+          {params_.prediction_horizon_s, params_.team_prediction_horizon_s, params_.prediction_speed_mps}, predicted_);
   graph::SharedGraph& own = own_graph();
   own.reset(graph_.field().bounds(), predicted_);
   Plan plan = plan_in_field(own, robots, request);

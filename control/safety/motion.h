@@ -65,4 +65,9 @@ Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double hold_s, 
 Motion manoeuvre(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& next_velocity_mps, double hold_s,
                  double braking_mps2, double period_s);
 
+/// Keeps accelerating for hold_s or until it has the speed speed_max_mps, at least for period_s > 0, and then drives
+/// on, told for coast_s > 0.
+Motion sustained(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& acceleration_mps2, double hold_s,
+                 double speed_max_mps, double period_s, double coast_s);
+
 }  // namespace regista

@@ -18,7 +18,19 @@ struct SafetyParams {
   /// braking = 17.5 ms at 100 Hz, rounded up.
   double opponent_reaction_s = 0.018;
   double acceleration_lasts_s = 0.3;  ///< an opponent's estimated acceleration is taken to last so long
-  double horizon_s = 1.0;             ///< opponents are predicted so far; farther, they have changed their minds
+  /// How much faster than expected an opponent may come nearer: what is planned for later leaves more room, so it still
+  /// holds when later comes.
+  double opponent_growth_mps = 0.1;
+  double horizon_s = 1.0;  ///< opponents are predicted so far; farther, they have changed their minds
+  /// A change of velocity counts as an evasion when keeping it up for one of these times and driving on then is clear
+  /// of where opponents are expected: a period alone changes nothing, and who only ever brakes comes to stand in the
+  /// line of fire.
+  double evasion_short_s = 0.15;
+  double evasion_long_s = 0.6;
+  /// Who cannot keep clear of opponents that brake goes on through, where that is clear of where they are expected, if
+  /// otherwise one would hit it within this time. Longer: fewer contacts with those that avoid nobody. Shorter: fewer
+  /// with those that brake too.
+  double way_through_s = 0.5;
   /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
   /// bought nothing.
   std::int64_t directions = 16;
@@ -35,7 +47,12 @@ struct SafetyParams {
     v("opponent_margin_m", self.opponent_margin_m, Range{0.0, 1.0}, "m", "kept to opponents");
     v("opponent_reaction_s", self.opponent_reaction_s, Range{0.0, 1.0}, "s", "further margin per opponent's speed");
     v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");
+    v("opponent_growth_mps", self.opponent_growth_mps, Range{0.0, 3.0}, "m/s", "the margin to them grows so fast");
     v("horizon_s", self.horizon_s, Range{0.01, 10.0}, "s", "opponents are predicted so far");
+    v("evasion_short_s", self.evasion_short_s, Range{0.0, 2.0}, "s", "an evasion accelerates for so long");
+    v("evasion_long_s", self.evasion_long_s, Range{0.0, 2.0}, "s", "or for so long");
+    v("way_through_s", self.way_through_s, Range{0.0, 10.0}, "s",
+      "rather than brake go through between opponents that would hit within so long; 0: never");
     v("directions", self.directions, Range{1.0, 360.0}, "", "of sampled accelerations, three magnitudes each");
     v("hold_s", self.hold_s, Range{0.0, 2.0}, "s",
       "where possible, team-mates are kept clear of for so long before braking");

@@ -10,17 +10,8 @@
 namespace regista {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
-/// Two that are already nearer than they should be must at least come no nearer; less than this is no way. Metres.
-constexpr double kStill_m = 1e-9;
-
 /// Parts of the largest acceleration that are sampled.
 constexpr std::array kMagnitudes{1.0, 2.0 / 3.0, 1.0 / 3.0};
-
-double attainable(double wanted_m, const Vec2& a, const Vec2& b) {
-  return std::min(wanted_m, (a - b).norm() - kStill_m);
-}
 
 }  // namespace
 
@@ -32,7 +23,7 @@ void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opp
   limits_ = &limits;
   params_ = &params;
   period_s_ = period_s;
-  predict(opponents);
+  opponents_.set(opponents, limits, params, period_s);
   promised_.clear();
   expected_.clear();
   for (const SafetyRobot& robot : team) {
@@ -42,21 +33,6 @@ void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opp
   }
   chosen_mps.clear();
   for (std::size_t i = 0; i < team.size(); ++i) chosen_mps.push_back(choose_for(i));
-}
-
-void SafetySearch::predict(std::span<const Opponent> opponents) {
-  opponents_.clear();
-  const double lasts_s = std::min(params_->acceleration_lasts_s, params_->horizon_s);
-  for (const Opponent& opponent : opponents) {
-    OpponentModel model;
-    model.braking = braking(opponent.position_m, opponent.velocity_mps, 0.0, limits_->braking_max_mps2, period_s_);
-    model.predicted = Motion(opponent.position_m, opponent.velocity_mps);
-    if (lasts_s > 0.0) model.predicted.then(opponent.acceleration_mps2, lasts_s);
-    if (params_->horizon_s > lasts_s) model.predicted.then(Vec2::Zero(), params_->horizon_s - lasts_s);
-    model.gap_m = 2.0 * limits_->radius_m + params_->opponent_margin_m;
-    model.braking_gap_m = model.gap_m + params_->opponent_reaction_s * opponent.velocity_mps.norm();
-    opponents_.push_back(model);
-  }
 }
 
 Motion SafetySearch::motion_to(std::size_t robot, const Vec2& next_mps, double hold_s) const {
@@ -112,8 +88,10 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
       if (consider(next_mps)) break;
     }
   }
-  // Not even against opponents that brake: nothing is better than braking, and braking is always left.
-  if (best < Safety::opponents_brake) {
+  // Nothing is better than braking, which is always left, unless that comes to stand in the line of fire.
+  const bool goes_through =
+      best == Safety::way_through && opponents_.hit_within(promised_[robot], params_->way_through_s);
+  if (best < Safety::opponents_brake && !goes_through) {
     const Motion& promise = promised_[robot];
     expected_[robot] = promise;
     return promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero());
@@ -125,19 +103,21 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
 
 SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
   if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return Safety::none;
-  if (!is_clear_of_braking_opponents(robot, motion)) return Safety::team;
-  if (!is_clear_of_predicted(robot, next_mps, motion)) return Safety::opponents_brake;
+  const bool is_clear_of_braking = opponents_.is_clear_of_braking(motion);
+  if (!is_clear_of_expected(robot, next_mps, motion)) {
+    return is_clear_of_braking ? Safety::opponents_brake : Safety::team;
+  }
+  if (!is_clear_of_braking) return Safety::way_through;
   if (params_->hold_s <= 0.0) return Safety::ahead;
   return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
-                                                                                         : Safety::opponents_predicted;
+                                                                                         : Safety::opponents_expected;
 }
 
 bool SafetySearch::is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const {
   const double wanted_m = 2.0 * limits_->radius_m + params_->team_margin_m;
   for (std::size_t other = 0; other < team_.size(); ++other) {
     if (other == robot) continue;
-    const double gap_m = attainable(wanted_m, team_[robot].position_m, team_[other].position_m);
-    if (!keep_apart(motion, others[other], {gap_m}, kNever)) return false;
+    if (!keep_apart(motion, others[other], {attainable_gap(wanted_m, motion, others[other])}, kNever)) return false;
   }
   return true;
 }
@@ -156,29 +136,17 @@ bool SafetySearch::is_clear_of_shapes(std::size_t robot, const Motion& motion) c
   return true;
 }
 
-bool SafetySearch::is_clear_of_braking_opponents(std::size_t robot, const Motion& motion) const {
-  const Vec2& position_m = team_[robot].position_m;
-  return std::all_of(opponents_.begin(), opponents_.end(), [&](const OpponentModel& opponent) {
-    const double gap_m = attainable(opponent.braking_gap_m, position_m, opponent.braking.phases().front().position_m);
-    return keep_apart(motion, opponent.braking, {gap_m}, kNever);
-  });
-}
-
-/// Either braking or going on through must be clear of where each opponent is expected: who only ever brakes comes to
-/// stand in the line of fire.
-bool SafetySearch::is_clear_of_predicted(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
+/// Braking, driving on, or keeping the change of velocity up for a while must be clear of where each is expected.
+bool SafetySearch::is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
+  if (opponents_.is_clear_of_expected(motion)) return true;
   const SafetyRobot& self = team_[robot];
-  const auto keeps_apart_from_all = [&](const Motion& ours) {
-    return std::all_of(opponents_.begin(), opponents_.end(), [&](const OpponentModel& opponent) {
-      const double gap_m = attainable(opponent.gap_m, self.position_m, opponent.predicted.phases().front().position_m);
-      return keep_apart(ours, opponent.predicted, {gap_m}, params_->horizon_s);
-    });
+  const Vec2 acceleration = (next_mps - self.velocity_mps) / period_s_;
+  const auto is_clear_when_held = [&](double hold_s) {
+    return opponents_.is_clear_of_expected(sustained(self.position_m, self.velocity_mps, acceleration, hold_s,
+                                                     self.speed_max_mps, period_s_, params_->horizon_s));
   };
-  if (keeps_apart_from_all(motion)) return true;
-  Motion through(self.position_m, self.velocity_mps);
-  through.then((next_mps - self.velocity_mps) / period_s_, period_s_);
-  through.then(Vec2::Zero(), params_->horizon_s);
-  return keeps_apart_from_all(through);
+  return is_clear_when_held(period_s_) || is_clear_when_held(params_->evasion_short_s) ||
+         is_clear_when_held(params_->evasion_long_s);
 }
 
 }  // namespace regista

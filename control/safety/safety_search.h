@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "control/safety/motion.h"
+#include "control/safety/opponent_models.h"
 #include "control/safety/safety_params.h"
 #include "control/safety/separation.h"
 #include "control/safety/surroundings.h"
@@ -28,13 +29,6 @@ struct SafetyRobot {
   bool may_enter_own_area = false;
 };
 
-/// One whose mind is not known.
-struct Opponent {
-  Vec2 position_m = Vec2::Zero();
-  Vec2 velocity_mps = Vec2::Zero();
-  Vec2 acceleration_mps2 = Vec2::Zero();  ///< estimated
-};
-
 class SafetySearch {
  public:
   /// The velocities after this period, one per robot of `team` and reachable within limits. Deterministic; ties go to
@@ -44,23 +38,17 @@ class SafetySearch {
               const RobotLimits& limits, const SafetyParams& params, double period_s, std::vector<Vec2>& chosen_mps);
 
  private:
-  /// How much of what is wanted of a motion holds; each includes those before.
-  enum class Safety { none, team, opponents_brake, opponents_predicted, ahead };
-  struct OpponentModel {
-    Motion braking;
-    Motion predicted;
-    double braking_gap_m = 0.0;
-    double gap_m = 0.0;
-  };
+  /// How much of what is wanted of a motion holds, by rank. All but `none` keep clear of the team's promises and of
+  /// what stands. `way_through`: clear of where opponents are expected, but not of their braking. `opponents_brake`: of
+  /// that. From `opponents_expected` on: of both. `ahead`: of where team-mates are expected too.
+  enum class Safety { none, team, way_through, opponents_brake, opponents_expected, ahead };
 
-  void predict(std::span<const Opponent> opponents);
   void sample(const SafetyRobot& robot);
   Vec2 choose_for(std::size_t robot);
   Safety safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
   bool is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const;
   bool is_clear_of_shapes(std::size_t robot, const Motion& motion) const;
-  bool is_clear_of_braking_opponents(std::size_t robot, const Motion& motion) const;
-  bool is_clear_of_predicted(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
+  bool is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
   Motion motion_to(std::size_t robot, const Vec2& next_mps, double hold_s) const;
 
   // Of the call that is being answered.
@@ -72,7 +60,7 @@ class SafetySearch {
   std::vector<Motion> promised_;  ///< by robot
   std::vector<Motion> expected_;  ///< likewise: holds its velocity for a while before it brakes
   Motion promised_candidate_;
-  std::vector<OpponentModel> opponents_;
+  OpponentModels opponents_;
   std::vector<std::pair<double, Vec2>> samples_;  ///< squared distance from the wanted velocity, velocity
 };
 

@@ -6,7 +6,8 @@
 namespace regista {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+/// A gap so much below the present distance is kept by whoever comes no nearer, in spite of rounding. Metres.
+constexpr double kStill_m = 1e-9;
 
 /// Each step at least halves what is left of a near miss; a contact is approached so closely that rounding decides.
 constexpr int kSteps = 40;
@@ -80,9 +81,13 @@ double furthest(double position, double velocity, double acceleration, double le
 
 }  // namespace
 
+double attainable_gap(double wanted_m, const Motion& a, const Motion& b) {
+  return std::min(wanted_m, (a.phases().front().position_m - b.phases().front().position_m).norm() - kStill_m);
+}
+
 bool keep_apart(const Motion& a, const Motion& b, const Gap& gap, double until_s) {
-  if (gap.growth_mps == 0.0 && stays_in_box(a, until_s) && stays_in_box(b, until_s) &&
-      boxes_are_apart(a, b, gap.distance_m)) {
+  const double largest_m = gap.growth_mps > 0.0 ? gap.distance_m + gap.growth_mps * until_s : gap.distance_m;
+  if (stays_in_box(a, until_s) && stays_in_box(b, until_s) && boxes_are_apart(a, b, largest_m)) {
     return true;
   }
   const std::span<const Phase> pa = a.phases();

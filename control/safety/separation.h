@@ -6,6 +6,8 @@
 // at a proof for the rest of the time, or converges on the contact.
 #pragma once
 
+#include <limits>
+
 #include "control/safety/motion.h"
 #include "planning/obstacle.h"
 
@@ -16,6 +18,12 @@ struct Gap {
   double distance_m = 0.0;
   double growth_mps = 0.0;
 };
+
+/// For ever, as the end of a span of time.
+inline constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Two that are already nearer than wanted_m must at least come no nearer: the distance that can be asked of them.
+double attainable_gap(double wanted_m, const Motion& a, const Motion& b);
 
 /// True when the centres never come nearer than the gap during [0, until_s]. Motions that come to rest may be asked
 /// about for ever (infinite until_s) if the gap does not grow. At the start the gap must not be undercut: false there.

@@ -145,13 +145,13 @@ TEST_CASE("arcs drawn as polylines are followed within 13 cm however finely they
   }
 }
 
-TEST_CASE("random paths are followed within 30 cm, and to within 5 mm of their end") {
+TEST_CASE("random paths are followed within 35 cm, and to within 5 mm of their end") {
   Dice dice(31);
   for (int i = 0; i < 1000; ++i) {
     const std::vector<Vec2> path = random_path(dice);
     const Drive result = drive(path, Planning::once, path.front());
     INFO("path " << i << " of seed 31");
-    CHECK(result.aside_max_m <= 0.30);
+    CHECK(result.aside_max_m <= 0.35);
     CHECK(result.at_rest);
     CHECK(result.distance_m <= 0.005);
     CHECK(result.beyond_max_m <= 0.010);

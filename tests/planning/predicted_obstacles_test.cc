@@ -42,6 +42,8 @@ TEST_CASE("no sampled moment within the horizon is nearer than the nearest appro
   CHECK(nearest_approach_s(still, still, 1.0) == 0.0);
 }
 
+constexpr double kSpeed_mps = 2.0;
+
 TEST_CASE("others move to the approach and shrink off start and goal; oneself and what stands stay") {
   std::mt19937_64 random(92);
   int shrunk = 0;
@@ -59,7 +61,9 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
     const double horizon_s = i % 5 == 0 ? 0.0 : 1.5;
     const double team_horizon_s = i % 3 == 0 ? 0.0 : 1.0;
     std::vector<Obstacle> out;
-    predict(obstacles, world, self, goal, horizon_s, team_horizon_s, out);
+    predict(obstacles, world, self, goal, {horizon_s, team_horizon_s, kSpeed_mps}, out);
+    RobotState on_its_way = self;
+    on_its_way.twist.velocity_mps = kSpeed_mps * (goal - self.pose.position_m).normalized();
     REQUIRE(out.size() == obstacles.size());
     CHECK(out[2] == obstacles[2]);
     CHECK(out[5] == obstacles[5]);
@@ -69,7 +73,7 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
       INFO("world " << i << " of seed 92, robot " << k);
       const Vec2 expected =
           other.pose.position_m +
-          nearest_approach_s(self, other, k == 4 ? horizon_s : team_horizon_s) * other.twist.velocity_mps;
+          nearest_approach_s(on_its_way, other, k == 4 ? horizon_s : team_horizon_s) * other.twist.velocity_mps;
       CHECK((out[k].a - expected).norm() <= 1e-12);
       CHECK(out[k].b == out[k].a);
       CHECK(out[k].radius_m <= obstacles[k].radius_m);

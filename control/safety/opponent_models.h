@@ -1,0 +1,47 @@
+// What is expected of opponents, whose minds nobody knows, and whether a motion of ours keeps clear of it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "control/safety/motion.h"
+#include "control/safety/safety_params.h"
+#include "world_model/types/robot_limits.h"
+
+namespace regista {
+
+/// One whose mind is not known.
+struct Opponent {
+  Vec2 position_m = Vec2::Zero();
+  Vec2 velocity_mps = Vec2::Zero();
+  Vec2 acceleration_mps2 = Vec2::Zero();  ///< estimated
+};
+
+class OpponentModels {
+ public:
+  /// From now on the answers are about these. period_s > 0.
+  void set(std::span<const Opponent> opponents, const RobotLimits& limits, const SafetyParams& params, double period_s);
+
+  /// Of all opponents that brake from now on, for ever; with the margins for what they may do within a period.
+  bool is_clear_of_braking(const Motion& ours) const;
+  /// Of where each is expected: its acceleration lasts for a while, then it drives on. Up to the horizon, with gaps
+  /// that grow meanwhile.
+  bool is_clear_of_expected(const Motion& ours) const;
+  /// True when a body is expected to touch ours within that time.
+  bool hit_within(const Motion& ours, double within_s) const;
+
+ private:
+  struct Model {
+    Motion braking;
+    Motion expected;
+    double braking_gap_m = 0.0;
+  };
+
+  std::vector<Model> models_;
+  double gap_m_ = 0.0;     ///< between centres, margin included
+  double bodies_m_ = 0.0;  ///< between centres that touch
+  double growth_mps_ = 0.0;
+  double horizon_s_ = 0.0;
+};
+
+}  // namespace regista
