@@ -10,6 +10,8 @@ namespace {
 /// Halvings of the angle that divides the limits: to 0.1°, below which the duration changes by less than 0.1 %.
 constexpr int kHalvings = 10;
 constexpr int kRotations = 4;
+/// The sine of the angle to the way within which a robot counts as driving straight there.
+constexpr double kStraight = 0.1;
 
 /// One axis, turned so that the motion ends towards the positive side.
 struct Approach {
@@ -73,7 +75,7 @@ struct Division {
 };
 
 /// More for x makes x faster and y slower, so the angle at which both take equally long is found by halving.
-Division divide(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& limits) {
+Division divide(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& x_limits, const RobotLimits& y_limits) {
   double low = 1e-3;
   double high = std::numbers::pi / 2.0 - 1e-3;
   Division out;
@@ -81,12 +83,41 @@ Division divide(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& 
     const double angle = (low + high) / 2.0;
     out.x_share = std::cos(angle);
     out.y_share = std::sin(angle);
-    const double x_s = bang_bang_duration(way_m.x(), velocity_mps.x(), part(limits, out.x_share));
-    const double y_s = bang_bang_duration(way_m.y(), velocity_mps.y(), part(limits, out.y_share));
+    const double x_s = bang_bang_duration(way_m.x(), velocity_mps.x(), part(x_limits, out.x_share));
+    const double y_s = bang_bang_duration(way_m.y(), velocity_mps.y(), part(y_limits, out.y_share));
     out.duration_s = std::max(x_s, y_s);
     (x_s < y_s ? low : high) = angle;
   }
   return out;
+}
+
+/// Braking harder than speeding up is for slowing down along the velocity: for the axis that has most of the way.
+RobotLimits across_limits(const RobotLimits& limits) {
+  RobotLimits out = limits;
+  out.braking_max_mps2 = std::min(limits.braking_max_mps2, limits.acceleration_max_mps2);
+  return out;
+}
+
+/// Both axes of one rotation, the same duration for both.
+struct Drive {
+  double duration_s = std::numeric_limits<double>::infinity();
+  Vec2 next_mps = Vec2::Zero();
+};
+
+void take_faster(Drive& best, const Vec2& axis, const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& limits,
+                 double dt_s) {
+  const Vec2 left(-axis.y(), axis.x());
+  const bool along = std::abs(way_m.dot(axis)) >= std::abs(way_m.dot(left));
+  const Vec2 x_axis = along ? axis : left;
+  const Vec2 y_axis(-x_axis.y(), x_axis.x());
+  const Vec2 way(way_m.dot(x_axis), way_m.dot(y_axis));
+  const Vec2 velocity(velocity_mps.dot(x_axis), velocity_mps.dot(y_axis));
+  const RobotLimits y_limits = across_limits(limits);
+  const Division division = divide(way, velocity, limits, y_limits);
+  if (division.duration_s >= best.duration_s) return;
+  best.duration_s = division.duration_s;
+  best.next_mps = bang_bang_velocity(way.x(), velocity.x(), part(limits, division.x_share), dt_s) * x_axis +
+                  bang_bang_velocity(way.y(), velocity.y(), part(y_limits, division.y_share), dt_s) * y_axis;
 }
 
 }  // namespace
@@ -115,24 +146,20 @@ double bang_bang_velocity(double distance, double velocity, const AxisLimits& li
 }
 
 Vec2 bang_bang_velocity(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& limits, double dt_s) {
-  const double length_m = way_m.norm();
-  if (length_m == 0.0 && velocity_mps.isZero(0.0)) return Vec2::Zero();
-  const Vec2 ahead = length_m > 0.0 ? Vec2(way_m / length_m) : Vec2(velocity_mps.normalized());
-  Vec2 best = Vec2::Zero();
-  double best_s = std::numeric_limits<double>::infinity();
+  if (way_m.isZero(0.0) && velocity_mps.isZero(0.0)) return Vec2::Zero();
+  Drive best;
   for (int i = 0; i < kRotations; ++i) {
-    // Axes 45° off the way first: there a straight drive from rest divides evenly.
-    const Vec2 x_axis = rotated(ahead, -std::numbers::pi / 4.0 + i * std::numbers::pi / (2.0 * kRotations));
-    const Vec2 y_axis(-x_axis.y(), x_axis.x());
-    const Vec2 way(way_m.dot(x_axis), way_m.dot(y_axis));
-    const Vec2 velocity(velocity_mps.dot(x_axis), velocity_mps.dot(y_axis));
-    const Division division = divide(way, velocity, limits);
-    if (division.duration_s >= best_s) continue;
-    best_s = division.duration_s;
-    best = bang_bang_velocity(way.x(), velocity.x(), part(limits, division.x_share), dt_s) * x_axis +
-           bang_bang_velocity(way.y(), velocity.y(), part(limits, division.y_share), dt_s) * y_axis;
+    // Axes fixed in the field: turned with the way, no tick would find the plan of the tick before among its own, and
+    // drives would take 4 % longer.
+    take_faster(best, rotated(Vec2::UnitX(), i * std::numbers::pi / (2.0 * kRotations)), way_m, velocity_mps, limits,
+                dt_s);
   }
-  return best;
+  // Who drives straight there does not turn them.
+  const double length_m = way_m.norm();
+  if (length_m > 0.0 && std::abs(cross(way_m, velocity_mps)) <= kStraight * length_m * velocity_mps.norm()) {
+    take_faster(best, way_m / length_m, way_m, velocity_mps, limits, dt_s);
+  }
+  return best.next_mps;
 }
 
 }  // namespace regista

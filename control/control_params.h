@@ -20,7 +20,7 @@ struct FollowerParams {
   /// Of the possible change of velocity, how much may go into motion across the path. Paths among moving robots swing a
   /// little all the time; to follow each swing at once starves speeding up (0.9: 3 % fewer targets).
   double across_share = 0.5;
-  double braking_share = 0.95;       ///< of the braking limit that profiles use; the rest corrects errors
+  double braking_share = 1.0;        ///< of the braking limit that profiles use; the rest corrects errors
   double settle_time_s = 0.05;       ///< time constant of the last centimetres: slower than the drive's lag
   double settle_distance_m = 0.002;  ///< nearer counts as there: just above the noise of vision, 1.3 mm
   bool operator==(const FollowerParams&) const = default;

@@ -28,7 +28,7 @@ double corner_speed(std::span<const Leg> legs, const RobotLimits& limits, const 
     if (i > 0) bend_length_m += legs[i].length_m;
     turn += legs[i].turn_rad;
     speed = std::min(speed, bend_speed(std::min(std::abs(turn), std::numbers::pi), bend_length_m,
-                                       params.across_share * limits.acceleration_max_mps2, params.corner_tolerance_m));
+                                       kAcrossShare * limits.acceleration_max_mps2, params.corner_tolerance_m));
   }
   return std::min(std::max(speed, params.corner_speed_min_mps), limits.speed_max_mps);
 }

@@ -8,6 +8,9 @@
 
 namespace regista {
 
+/// Of the possible change of velocity, how much may go into motion across the path.
+inline constexpr double kAcrossShare = 0.9;
+
 /// The largest speed, m/s, at which a bend of turn_rad in [0, π], spread over bend_length_m of the path, is driven at
 /// most tolerance_m beside its vertices: √(acceleration·ρ). Infinite for no bend.
 ///

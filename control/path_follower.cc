@@ -59,10 +59,13 @@ Vec2 across_first(const Vec2& velocity_mps, const Vec2& direction, double speed,
   const double slowing = speed_now > 0.0 ? std::abs(across_now) / speed_now : 0.0;
   const double across_max = dt_s / std::hypot(slowing / limits.braking_max_mps2,
                                               std::sqrt(1.0 - slowing * slowing) / limits.acceleration_max_mps2);
-  const double share = std::clamp(-across_now / across_max, -across_share, across_share);
+  const double along_now = velocity_mps.dot(direction);
+  // Paths among moving robots swing a little all the time; who followed each swing at once would starve speeding up.
+  const bool speeds_up = speed - along_now > limits.acceleration_max_mps2 * dt_s;
+  const double share_max = speeds_up ? across_share : kAcrossShare;
+  const double share = std::clamp(-across_now / across_max, -share_max, share_max);
   const double along_max = limits.acceleration_max_mps2 * dt_s * std::sqrt(1.0 - share * share);
-  const Vec2 next =
-      std::min(speed, velocity_mps.dot(direction) + along_max) * direction + (across_now + share * across_max) * left;
+  const Vec2 next = std::min(speed, along_now + along_max) * direction + (across_now + share * across_max) * left;
   return clamped_norm(next, limits.speed_max_mps);
 }
 

@@ -90,6 +90,8 @@ Vec2 choose_velocity(const SafetyRobot& robot, double arrival_s, std::span<const
   for (int i = 0; i < kDirections; ++i) {
     const Vec2 direction = rotated(ahead, 2.0 * std::numbers::pi * i / kDirections);
     for (const double speed : kSpeeds) consider(speed * robot.speed_max_mps * direction);
+    // As fast as wanted: of a robot that sets out beside another, all others would cost more than standing for ever.
+    consider(robot.wanted_mps.norm() * direction);
   }
   return best;
 }

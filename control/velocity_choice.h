@@ -35,7 +35,7 @@ struct Neighbour {
 double time_to_contact(const Vec2& from_m, const Vec2& velocity_mps, const Neighbour& neighbour,
                        double acceleration_lasts_s);
 
-/// The best of 66 velocities for a robot among neighbours: least |v − wanted| + weight·(1/ttc − 1/horizon).
+/// The best of 82 velocities for a robot among neighbours: least |v − wanted| + weight·(1/ttc − 1/horizon).
 /// `arrival_s`: when it will stand anyway, contacts later than that do not count.
 Vec2 choose_velocity(const SafetyRobot& robot, double arrival_s, std::span<const Neighbour> neighbours,
                      const VelocityChoiceParams& params, double acceleration_lasts_s);

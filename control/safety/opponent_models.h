@@ -35,12 +35,12 @@ class OpponentModels {
     Motion braking;
     Motion expected;
     double braking_gap_m = 0.0;
+    double growth_mps = 0.0;  ///< of the margin to where it is expected
   };
 
   std::vector<Model> models_;
   double gap_m_ = 0.0;     ///< between centres, margin included
   double bodies_m_ = 0.0;  ///< between centres that touch
-  double growth_mps_ = 0.0;
   double horizon_s_ = 0.0;
 };
 

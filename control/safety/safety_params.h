@@ -18,9 +18,9 @@ struct SafetyParams {
   /// braking = 17.5 ms at 100 Hz, rounded up.
   double opponent_reaction_s = 0.018;
   double acceleration_lasts_s = 0.3;  ///< an opponent's estimated acceleration is taken to last so long
-  /// How much faster than expected an opponent may come nearer: what is planned for later leaves more room, so it still
-  /// holds when later comes.
-  double opponent_growth_mps = 0.1;
+  /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share
+  /// of the way it drives meanwhile. So what is planned for later still holds when later comes.
+  double opponent_growth = 0.06;
   double horizon_s = 1.0;  ///< opponents are predicted so far; farther, they have changed their minds
   /// A change of velocity counts as an evasion when keeping it up for one of these times and driving on then is clear
   /// of where opponents are expected: a period alone changes nothing, and who only ever brakes comes to stand in the
@@ -30,7 +30,7 @@ struct SafetyParams {
   /// Who cannot keep clear of opponents that brake goes on through, where that is clear of where they are expected, if
   /// otherwise one would hit it within this time. Longer: fewer contacts with those that avoid nobody. Shorter: fewer
   /// with those that brake too.
-  double way_through_s = 0.5;
+  double way_through_s = 0.3;
   /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
   /// bought nothing.
   std::int64_t directions = 16;
@@ -47,7 +47,8 @@ struct SafetyParams {
     v("opponent_margin_m", self.opponent_margin_m, Range{0.0, 1.0}, "m", "kept to opponents");
     v("opponent_reaction_s", self.opponent_reaction_s, Range{0.0, 1.0}, "s", "further margin per opponent's speed");
     v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");
-    v("opponent_growth_mps", self.opponent_growth_mps, Range{0.0, 3.0}, "m/s", "the margin to them grows so fast");
+    v("opponent_growth", self.opponent_growth, Range{0.0, 1.0}, "",
+      "by this share of an opponent's way its margin grows");
     v("horizon_s", self.horizon_s, Range{0.01, 10.0}, "s", "opponents are predicted so far");
     v("evasion_short_s", self.evasion_short_s, Range{0.0, 2.0}, "s", "an evasion accelerates for so long");
     v("evasion_long_s", self.evasion_long_s, Range{0.0, 2.0}, "s", "or for so long");

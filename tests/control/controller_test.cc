@@ -298,7 +298,8 @@ TEST_CASE("a wheel limit slows all wheels so that the direction is kept") {
   for (int tick = 0; tick < 80; ++tick) step(world, controller.update(world, plans, kDt_s), kDt_s);
   const Vec2 velocity = world.robots[0].twist.velocity_mps;
   CHECK(velocity.norm() > 1.0);
-  CHECK(cross(velocity, Vec2(0.8, 0.6)) == Approx(0.0).margin(1e-9));
+  // The bang-bang drive divides the limits between its axes to 0.1°.
+  CHECK(cross(velocity, Vec2(0.8, 0.6)) == Approx(0.0).margin(1e-3 * velocity.norm()));
 }
 
 TEST_CASE("what is not finite, doubled or without duration is refused and leaves no trace") {

@@ -131,7 +131,7 @@ TEST_CASE("corners of all angles are passed within 30 cm") {
   }
 }
 
-TEST_CASE("arcs drawn as polylines are followed within 13 cm however finely they are drawn") {
+TEST_CASE("arcs drawn as polylines are followed within 17 cm however finely they are drawn") {
   for (const int vertices : {2, 4, 8, 16, 30}) {
     constexpr double kRadius_m = 0.23;
     std::vector<Vec2> path{{0, 0}, {2, 0}};
@@ -141,17 +141,17 @@ TEST_CASE("arcs drawn as polylines are followed within 13 cm however finely they
     }
     path.push_back({2.0 + kRadius_m, 2.0});
     INFO(vertices << " vertices");
-    CHECK(drive(path).aside_max_m <= 0.13);
+    CHECK(drive(path).aside_max_m <= 0.17);
   }
 }
 
-TEST_CASE("random paths are followed within 35 cm, and to within 5 mm of their end") {
+TEST_CASE("random paths are followed within half a metre, and to within 5 mm of their end") {
   Dice dice(31);
   for (int i = 0; i < 1000; ++i) {
     const std::vector<Vec2> path = random_path(dice);
     const Drive result = drive(path, Planning::once, path.front());
     INFO("path " << i << " of seed 31");
-    CHECK(result.aside_max_m <= 0.35);
+    CHECK(result.aside_max_m <= 0.50);
     CHECK(result.at_rest);
     CHECK(result.distance_m <= 0.005);
     CHECK(result.beyond_max_m <= 0.010);

@@ -121,10 +121,12 @@ TEST_CASE("a wish that is safe is granted, and a lone robot brakes before a wall
   CHECK(furthest_m > 1.95);
 }
 
-TEST_CASE("opponents that brake are never touched") {
+TEST_CASE("opponents that brake are never touched, seen to brake or never gone through between") {
+  const bool seen = GENERATE(true, false);
   for (std::uint64_t seed = 2000; seed < 2000 + static_cast<std::uint64_t>(share_of(200)); ++seed) {
     std::mt19937_64 random(seed);
     SafeTeam all = random_safe_team(random);
+    if (!seen) all.params.way_through_s = 0.0;
     // The first half of them, opponents of the rest, brake from now on.
     const std::size_t others = all.robots.size() / 2;
     SafetySearch search;
@@ -134,9 +136,10 @@ TEST_CASE("opponents that brake are never touched") {
       std::vector<Vec2> next_mps;
       for (std::size_t i = 0; i < others; ++i) {
         const SafetyRobot& robot = all.robots[i];
-        opponents.push_back({robot.position_m, robot.velocity_mps, Vec2(uniform(random, -3.0, 3.0), 0.0)});
         const Motion stop =
             braking(robot.position_m, robot.velocity_mps, 0.0, all.limits.braking_max_mps2, all.period_s);
+        const Vec2 acceleration = seen ? stop.phases()[0].acceleration_mps2 : Vec2(uniform(random, -3.0, 3.0), 0.0);
+        opponents.push_back({robot.position_m, robot.velocity_mps, acceleration});
         next_mps.push_back(stop.settled_s() > 0.0 ? velocity_after(stop.phases()[0], all.period_s)
                                                   : Vec2(Vec2::Zero()));
       }

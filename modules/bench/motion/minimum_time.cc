@@ -16,7 +16,7 @@ using Vec4 = Eigen::Vector4d;
 constexpr int kStarts = 400;        // of the search; most states need one to five
 constexpr int kSteps = 80;          // of each
 constexpr double kRest = 1e-9;      // |v|, |x| of the end where a = 1 and the time about 1: the search has converged
-constexpr double kLine = 1e-5;      // |x × v| likewise: off the line by so little changes the time by its square
+constexpr double kLine = 1e-3;      // |x × v| likewise: off the line by so little changes the time by its square
 constexpr double kSteepest = 30.0;  // sinh(30) = 5e12: a switch as sharp as that is one between full ahead and back
 constexpr double kFlat = 0.3;       // below, the closed form would divide small differences
 
