@@ -24,7 +24,7 @@ struct PlanningParams {
   /// deadlocks, and drives 6 % more targets. Opponents turn sooner than team-mates, which are wanted on circles. Both
   /// 0: everybody where he is, and the whole team shares one graph.
   double prediction_horizon_s = 0.5;
-  double team_prediction_horizon_s = 1.0;
+  double team_prediction_horizon_s = 2.0;
   /// For the moment of nearest approach a robot is expected to drive straight to its goal at this speed, about the mean
   /// of a drive. Its present velocity, which a robot that turns is about to leave, drives 4 % fewer targets.
   double prediction_speed_mps = 2.5;

@@ -37,7 +37,7 @@ struct SafetyParams {
   /// Team-mates are also expected to hold their velocities for so long before they brake, and kept clear of where that
   /// is possible. The longer, the earlier conflicts show, while they are cheap to avoid, and the more room is kept for
   /// nothing.
-  double hold_s = 0.1;
+  double hold_s = 0.2;
   bool operator==(const SafetyParams&) const = default;
 
   template <class Self, class V>

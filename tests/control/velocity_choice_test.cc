@@ -80,6 +80,15 @@ TEST_CASE("a wish nobody is in the way of is kept; one that runs into somebody i
   CHECK(changed > 20);
 }
 
+TEST_CASE("a robot that sets out close beside another sets out, if not quite in the direction wished for") {
+  SafetyRobot robot;
+  robot.wanted_mps = {0.03, 0.004};  // one period's, a little towards the other
+  const std::vector<Neighbour> beside{{{0.0, 0.2101}, Vec2::Zero(), Vec2::Zero(), 0.21}};
+  const Vec2 chosen = choose_velocity(robot, kNever, beside, {}, 0.3);
+  CHECK(chosen.x() > 0.02);
+  CHECK(chosen.y() <= 0.0);
+}
+
 TEST_CASE("an acceleration is found from velocities, smoothed, bounded, and forgotten with its robot") {
   const RobotId id{Team::blue, 3};
   AccelerationEstimate estimate;

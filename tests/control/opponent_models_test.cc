@@ -1,0 +1,119 @@
+// Expectations of opponents: what is clear of them by sampling, who brakes is expected to stand, standing ones keep
+// their margin, and evasions that last reach what one period cannot.
+#include "control/safety/opponent_models.h"
+
+#include <catch2/catch.hpp>
+
+#include "control/safety/safety_search.h"
+#include "tests/control/ideal_team.h"
+
+namespace regista {
+namespace {
+
+using test::Dice;
+
+constexpr double kPeriod_s = 0.01;
+
+Vec2 place_at(const Motion& motion, double time_s) {
+  const Phase* phase = &motion.phases().front();
+  for (const Phase& one : motion.phases()) {
+    if (one.begin_s <= time_s) phase = &one;
+  }
+  return position_after(*phase, time_s - phase->begin_s);
+}
+
+/// Robots choose once among opponents.
+Vec2 choice(const SafetyRobot& robot, std::span<const Opponent> opponents, const SafetyParams& params) {
+  SafetySearch search;
+  Surroundings around;
+  around.half_extent_m = {100.0, 100.0};
+  std::vector<Vec2> chosen;
+  search.choose(std::span(&robot, 1), opponents, around, RobotLimits{}, params, kPeriod_s, chosen);
+  return chosen.front();
+}
+
+TEST_CASE("a motion kept up never exceeds the speed limit, lasts a period at the least, and then drives on") {
+  Dice dice(51);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 position = dice.point(3, 3);
+    const Vec2 velocity = clamped_norm(dice.point(3, 3), 2.9);
+    const Vec2 acceleration = dice.point(4, 4);
+    const double hold_s = i % 3 == 0 ? kPeriod_s : 0.4;
+    const Motion motion = sustained(position, velocity, acceleration, hold_s, 3.0, kPeriod_s, 1.0);
+    INFO("motion " << i << " of seed 51");
+    REQUIRE(motion.phases().size() == 3);
+    const Phase& coast = motion.phases()[1];
+    CHECK(coast.begin_s >= kPeriod_s);
+    CHECK(coast.begin_s <= hold_s);
+    CHECK(coast.velocity_mps.norm() <= 3.0 + acceleration.norm() * kPeriod_s);
+    CHECK(coast.acceleration_mps2 == Vec2(Vec2::Zero()));
+    CHECK((coast.velocity_mps - (velocity + coast.begin_s * acceleration)).norm() <= 1e-12);
+    if (coast.begin_s < hold_s - 1e-9 && coast.begin_s > kPeriod_s) CHECK(coast.velocity_mps.norm() == Approx(3.0));
+  }
+  CHECK(sustained({1, 2}, {0, 1}, Vec2::Zero(), 0.4, 3.0, kPeriod_s, 1.0).phases()[1].velocity_mps == Vec2(0, 1));
+}
+
+TEST_CASE("clear of where an opponent is expected means what dense samples say") {
+  Dice dice(52);
+  const RobotLimits limits;
+  const SafetyParams params;
+  int clear = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Opponent other{dice.point(1.5, 1.5), dice.point(2, 2), dice.point(3, 3)};
+    const Motion ours(Vec2::Zero(), dice.point(2, 2));
+    if (other.position_m.norm() < 0.3) continue;
+    OpponentModels models;
+    models.set(std::span(&other, 1), limits, params, kPeriod_s);
+    const double speed = other.velocity_mps.norm();
+    const double against = -other.acceleration_mps2.dot(other.velocity_mps);
+    if (against > 0.0) continue;  // the next test's
+    Motion theirs(other.position_m, other.velocity_mps);
+    theirs.then(other.acceleration_mps2, params.acceleration_lasts_s);
+    double least_m = 1e9;  // beyond the gap
+    for (double t = 0.0; t <= params.horizon_s; t += 1e-3) {
+      const double gap_m = 2.0 * limits.radius_m + params.opponent_margin_m + params.opponent_growth * speed * t;
+      least_m = std::min(least_m, (place_at(ours, t) - place_at(theirs, t)).norm() - gap_m);
+    }
+    INFO("pair " << i << " of seed 52");
+    if (std::abs(least_m) > 5e-3) CHECK(models.is_clear_of_expected(ours) == (least_m > 0.0));
+    clear += least_m > 0.0 ? 1 : 0;
+  }
+  CHECK(clear > 300);
+}
+
+TEST_CASE("who is seen to brake is expected to stand, not to drive on after a while") {
+  const Motion stands(Vec2::Zero(), Vec2::Zero());
+  OpponentModels models;
+  // 3 m/s and 4 m/s² need 1.125 m; 0.3 s of braking and driving on reach 2.0 m within the horizon.
+  const Opponent brakes{{1.7, 0.0}, {-3.0, 0.0}, {4.0, 0.0}};
+  models.set(std::span(&brakes, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+  CHECK(models.is_clear_of_expected(stands));
+  CHECK_FALSE(models.hit_within(stands, 1.0));
+  const Opponent drives{{1.7, 0.0}, {-3.0, 0.0}, Vec2::Zero()};
+  models.set(std::span(&drives, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+  CHECK_FALSE(models.is_clear_of_expected(stands));
+  CHECK_FALSE(models.hit_within(stands, 0.50));
+  CHECK(models.hit_within(stands, 0.52));
+}
+
+TEST_CASE("in the line of fire a robot goes aside at once instead of braking into it") {
+  SafetyRobot robot;
+  robot.velocity_mps = {1.0, 0.0};
+  robot.wanted_mps = {1.0, 0.0};
+  const Opponent fast{{1.1, 0.05}, {-2.0, 0.0}, Vec2::Zero()};
+  const Vec2 chosen = choice(robot, std::span(&fast, 1), {});
+  CHECK(chosen.y() < -0.02);
+  // Kept up, that is clear of it.
+  const Motion aside = sustained(Vec2::Zero(), robot.velocity_mps, (chosen - robot.velocity_mps) / kPeriod_s,
+                                 SafetyParams{}.evasion_long_s, 3.0, kPeriod_s, 1.0);
+  OpponentModels models;
+  models.set(std::span(&fast, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+  CHECK_FALSE(models.hit_within(aside, 1.0));
+  SafetyParams never_lasting;
+  never_lasting.evasion_short_s = 0.0;
+  never_lasting.evasion_long_s = 0.0;
+  CHECK(std::abs(choice(robot, std::span(&fast, 1), never_lasting).y()) < 0.02);
+}
+
+}  // namespace
+}  // namespace regista
