@@ -66,6 +66,13 @@ void SafetySearch::sample(const SafetyRobot& robot) {
   std::stable_sort(samples_.begin(), samples_.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
+/// What was promised before anybody chose.
+Vec2 SafetySearch::brake(std::size_t robot) {
+  const Motion& promise = promised_[robot];
+  expected_[robot] = promise;
+  return promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero());
+}
+
 Vec2 SafetySearch::choose_for(std::size_t robot) {
   const SafetyRobot& self = team_[robot];
   Vec2 chosen = Vec2::Zero();
@@ -82,7 +89,10 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   };
   const Vec2 wanted =
       limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_, period_s_);
-  if (!consider(wanted)) {
+  const bool is_granted = consider(wanted);
+  // Who is to stand stands, also in somebody's way: halted robots and those nobody plans for must not move aside.
+  const bool stands = self.wanted_mps.isZero(0.0) && best >= Safety::team;
+  if (!is_granted && !stands) {
     sample(self);
     for (const auto& [distance, next_mps] : samples_) {
       if (consider(next_mps)) break;
@@ -91,11 +101,7 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   // Nothing is better than braking, which is always left, unless that comes to stand in the line of fire.
   const bool goes_through =
       best == Safety::way_through && opponents_.hit_within(promised_[robot], params_->way_through_s);
-  if (best < Safety::opponents_brake && !goes_through) {
-    const Motion& promise = promised_[robot];
-    expected_[robot] = promise;
-    return promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero());
-  }
+  if (best < Safety::opponents_brake && !goes_through && !stands) return brake(robot);
   promised_[robot] = promised_candidate_;
   expected_[robot] = motion_to(robot, chosen, params_->hold_s);
   return chosen;

@@ -24,7 +24,7 @@ namespace regista {
 struct SafetyRobot {
   Vec2 position_m = Vec2::Zero();
   Vec2 velocity_mps = Vec2::Zero();
-  Vec2 wanted_mps = Vec2::Zero();  ///< velocity after this period, need not be reachable
+  Vec2 wanted_mps = Vec2::Zero();  ///< velocity after this period, need not be reachable; zero: only brakes
   double speed_max_mps = 3.0;
   bool may_enter_own_area = false;
 };
@@ -45,6 +45,7 @@ class SafetySearch {
 
   void sample(const SafetyRobot& robot);
   Vec2 choose_for(std::size_t robot);
+  Vec2 brake(std::size_t robot);
   Safety safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
   bool is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const;
   bool is_clear_of_shapes(std::size_t robot, const Motion& motion) const;

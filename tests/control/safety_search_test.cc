@@ -153,5 +153,15 @@ TEST_CASE("opponents that brake are never touched, seen to brake or never gone t
   }
 }
 
+TEST_CASE("who is to stand stands, whoever comes") {
+  SafeTeam team;
+  team.robots = {SafetyRobot{}};
+  const Opponent coming{{0.8, 0.0}, {-2.0, 0.0}, Vec2::Zero()};
+  SafetySearch search;
+  std::vector<Vec2> chosen;
+  search.choose(team.robots, std::span(&coming, 1), team.around, team.limits, team.params, team.period_s, chosen);
+  CHECK(chosen.front() == Vec2(Vec2::Zero()));
+}
+
 }  // namespace
 }  // namespace regista::testing

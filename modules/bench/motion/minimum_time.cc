@@ -13,10 +13,11 @@ namespace {
 
 using Vec4 = Eigen::Vector4d;
 
-constexpr int kStarts = 400;        // of the search; most states need one to five
-constexpr int kSteps = 80;          // of each
-constexpr double kRest = 1e-9;      // |v|, |x| of the end where a = 1 and the time about 1: the search has converged
-constexpr double kLine = 1e-3;      // |x × v| likewise: off the line by so little changes the time by its square
+constexpr int kStarts = 400;    // of the search; most states need one to five
+constexpr int kSteps = 80;      // of each
+constexpr double kRest = 1e-9;  // |v|, |x| of the end where a = 1 and the time about 1: the search has converged
+constexpr double kLine = 1e-5;  // |x × v| likewise: off the line by so little changes the time by its square
+constexpr double kNearLine = 1e-3;
 constexpr double kSteepest = 30.0;  // sinh(30) = 5e12: a switch as sharp as that is one between full ahead and back
 constexpr double kFlat = 0.3;       // below, the closed form would divide small differences
 
@@ -153,6 +154,8 @@ MinimumTime minimum_time(const Vec2& x, const Vec2& v, double a) {
                     rotated(Vec2(std::sinh(e.end), 1.0) / scale, e.axis_rad)},
                    unit_s);
   }
+  // So near to the line the search may not converge, and hardly differs.
+  if (std::abs(cross(place, velocity)) <= kNearLine) return in_time(along_line(place, velocity), unit_s);
   throw std::runtime_error("no time-optimal motion found from " + text(x) + " m, " + text(v) + " m/s");
 }
 
