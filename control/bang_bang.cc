@@ -10,7 +10,8 @@ namespace {
 /// Halvings of the angle that divides the limits: to 0.1°, below which the duration changes by less than 0.1 %.
 constexpr int kHalvings = 10;
 constexpr int kRotations = 4;
-/// The sine of the angle to the way within which a robot counts as driving straight there.
+/// The sine of the angle between way and velocity within which a drive counts as straight: 6°, about what bang-bang
+/// drives correct within a few ticks.
 constexpr double kStraight = 0.1;
 
 /// One axis, turned so that the motion ends towards the positive side.
@@ -91,7 +92,8 @@ Division divide(const Vec2& way_m, const Vec2& velocity_mps, const RobotLimits& 
   return out;
 }
 
-/// Braking harder than speeding up is for slowing down along the velocity: for the axis that has most of the way.
+/// Braking harder than speeding up is for slowing down along the velocity, which turns towards the way: for the axis
+/// that has most of the way.
 RobotLimits across_limits(const RobotLimits& limits) {
   RobotLimits out = limits;
   out.braking_max_mps2 = std::min(limits.braking_max_mps2, limits.acceleration_max_mps2);
@@ -154,7 +156,7 @@ Vec2 bang_bang_velocity(const Vec2& way_m, const Vec2& velocity_mps, const Robot
     take_faster(best, rotated(Vec2::UnitX(), i * std::numbers::pi / (2.0 * kRotations)), way_m, velocity_mps, limits,
                 dt_s);
   }
-  // Who drives straight there does not turn them.
+  // Along a straight drive the way's own axis does not turn either, and the harder braking is all of use.
   const double length_m = way_m.norm();
   if (length_m > 0.0 && std::abs(cross(way_m, velocity_mps)) <= kStraight * length_m * velocity_mps.norm()) {
     take_faster(best, way_m / length_m, way_m, velocity_mps, limits, dt_s);

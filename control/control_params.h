@@ -17,10 +17,11 @@ struct FollowerParams {
   double corner_speed_min_mps = 2.0;
   double pursuit_distance_m = 0.05;  ///< the point steered for is so far ahead on the path
   double pursuit_time_s = 0.12;      ///< and farther by the speed times this
-  /// Of the possible change of velocity, how much may go into motion across the path. Paths among moving robots swing a
-  /// little all the time; to follow each swing at once starves speeding up (0.9: 3 % fewer targets).
+  /// While speeding up, so much of the possible change of velocity may go into motion across the path. Paths among
+  /// moving robots swing a little all the time; to follow each swing at once starves speeding up (0.9: 3 % fewer
+  /// targets).
   double across_share = 0.5;
-  double braking_share = 1.0;        ///< of the braking limit that profiles use; the rest corrects errors
+  double braking_share = 1.0;        ///< of the braking limit that profiles use; planned anew every tick, all of it
   double settle_time_s = 0.05;       ///< time constant of the last centimetres: slower than the drive's lag
   double settle_distance_m = 0.002;  ///< nearer counts as there: just above the noise of vision, 1.3 mm
   bool operator==(const FollowerParams&) const = default;
@@ -31,7 +32,8 @@ struct FollowerParams {
     v("corner_speed_min_mps", self.corner_speed_min_mps, Range{0.01, 20.0}, "m/s", "least speed at a corner");
     v("pursuit_distance_m", self.pursuit_distance_m, Range{0.0, 1.0}, "m", "the path is steered for so far ahead");
     v("pursuit_time_s", self.pursuit_time_s, Range{0.0, 1.0}, "s", "and farther by the speed times this");
-    v("across_share", self.across_share, Range{0.05, 1.0}, "", "share of the acceleration that may go across the path");
+    v("across_share", self.across_share, Range{0.05, 1.0}, "",
+      "share of the acceleration that may go across the path while speeding up");
     v("braking_share", self.braking_share, Range{0.1, 1.0}, "", "share of the braking limit that profiles use");
     v("settle_time_s", self.settle_time_s, Range{0.001, 2.0}, "s", "time constant of the last centimetres");
     v("settle_distance_m", self.settle_distance_m, Range{0.0, 0.1}, "m", "nearer counts as there");

@@ -157,11 +157,13 @@ Controller::Intent Controller::intent_of(const RobotState& robot, const RobotPla
   intent.told = present_motion(robot);
   const Pose pose = after_lag(robot, params_.drive_lag_s);
   intent.robot = {pose.position_m, intent.told.twist.velocity_mps, Vec2::Zero(), params_.limits.speed_max_mps};
+  intent.robot.must_stand = true;
   const bool seen = to_seconds(robot.age) <= params_.unseen_deadline_s;
   if (!seen || plan == nullptr || !can_be_driven(*plan)) return intent;
   RobotLimits limits = params_.limits;
   limits.speed_max_mps = std::clamp(plan->target.speed_max_mps, 0.0, limits.speed_max_mps);
   const Vec2& velocity = intent.told.twist.velocity_mps;
+  intent.robot.must_stand = limits.speed_max_mps == 0.0;
   intent.robot.speed_max_mps = limits.speed_max_mps;
   intent.robot.may_enter_own_area = plan->target.may_enter_own_area;
   intent.robot.wanted_mps = follow_path(plan->plan.path, pose.position_m, velocity, limits, params_.follower, dt_s);

@@ -8,7 +8,7 @@
 
 namespace regista {
 
-/// Of the possible change of velocity, how much may go into motion across the path.
+/// Of the possible change of velocity, how much may go into motion across the path at the speed wanted.
 inline constexpr double kAcrossShare = 0.9;
 
 /// The largest speed, m/s, at which a bend of turn_rad in [0, π], spread over bend_length_m of the path, is driven at

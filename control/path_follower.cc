@@ -48,19 +48,18 @@ double speed_along(std::span<const Leg> legs, const Vec2& position_m, const Robo
   return speed;
 }
 
-/// What to ask for next to drive in that direction. The part across goes first: were the whole change asked for at
-/// once, speeding up would starve the turn.
+/// What to ask for next to drive in that direction. The part across goes first, within its share: were the whole
+/// change asked for at once, speeding up would starve the turn.
 Vec2 across_first(const Vec2& velocity_mps, const Vec2& direction, double speed, const RobotLimits& limits,
                   double across_share, double dt_s) {
   const Vec2 left = left_of(direction);
   const double across_now = velocity_mps.dot(left);
   // The limits (motion_limits.h) in the direction of the change across: an ellipse with braking where it slows down.
   const double speed_now = velocity_mps.norm();
-  const double slowing = speed_now > 0.0 ? std::abs(across_now) / speed_now : 0.0;
+  const double slowing = speed_now > 0.0 ? std::min(1.0, std::abs(across_now) / speed_now) : 0.0;
   const double across_max = dt_s / std::hypot(slowing / limits.braking_max_mps2,
                                               std::sqrt(1.0 - slowing * slowing) / limits.acceleration_max_mps2);
   const double along_now = velocity_mps.dot(direction);
-  // Paths among moving robots swing a little all the time; who followed each swing at once would starve speeding up.
   const bool speeds_up = speed - along_now > limits.acceleration_max_mps2 * dt_s;
   const double share_max = speeds_up ? across_share : kAcrossShare;
   const double share = std::clamp(-across_now / across_max, -share_max, share_max);

@@ -13,10 +13,12 @@ namespace regista {
 /// Seconds until two points that keep their velocities are nearest, in [0, horizon_s]; 0 for no relative motion.
 double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s);
 
+/// How far ahead others are expected, and how the robot itself.
 struct Prediction {
   double horizon_s = 0.0;       ///< of opponents
   double team_horizon_s = 0.0;  ///< of team-mates
-  double speed_mps = 2.5;       ///< at which the robot itself is expected to drive straight to its goal
+  double speed_mps = 0.0;       ///< at which the robot itself is expected to drive straight to its goal, and stop there
+  bool operator==(const Prediction&) const = default;
 };
 
 /// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i and is

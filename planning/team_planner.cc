@@ -134,17 +134,20 @@ Plan TeamPlanner::plan_robot(const TeamObstacles& obstacles, const WorldState& w
   if (const auto previous = previous_paths_.find(robot.id.number); previous != previous_paths_.end()) {
     request.previous_path = previous->second;
   }
-  return plan_among(obstacles, world, robot, request);
+  return plan_among(obstacles, world, robot, target.speed_max_mps, request);
 }
 
 Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
-                             PlanRequest request) {
+                             double speed_max_mps, PlanRequest request) {
   const std::size_t robots = obstacles.robots.size();
   lean(request, graph_.field().obstacles());
   const bool predicts = params_.prediction_horizon_s > 0.0 || params_.team_prediction_horizon_s > 0.0;
   if (!predicts || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
   predict(graph_.field().obstacles(), world, robot, request.goal,
-          {params_.prediction_horizon_s, params_.team_prediction_horizon_s, params_.prediction_speed_mps}, predicted_);
+          {.horizon_s = params_.prediction_horizon_s,
+           .team_horizon_s = params_.team_prediction_horizon_s,
+           .speed_mps = std::min(params_.prediction_speed_mps, speed_max_mps)},
+          predicted_);
   graph::SharedGraph& own = own_graph();
   own.reset(graph_.field().bounds(), predicted_);
   Plan plan = plan_in_field(own, robots, request);

@@ -53,7 +53,7 @@ class TeamPlanner {
   Plan plan_robot(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
                   const Target& target, const Stopwatch* stopwatch, std::int64_t budget_ns);
   Plan plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
-                  PlanRequest request);
+                  double speed_max_mps, PlanRequest request);
   graph::SharedGraph& own_graph();
   Plan plan_in_field(graph::SharedGraph& graph, std::size_t robots, const PlanRequest& request);
   std::int64_t budget_ns(std::size_t robots) const;

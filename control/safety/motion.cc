@@ -1,5 +1,6 @@
 #include "control/safety/motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace regista {

@@ -7,12 +7,26 @@
 namespace regista {
 namespace {
 
-/// An opponent that mainly brakes is taken to go on until it stands; any other acceleration lasts so long.
-double lasting_s(const Opponent& opponent, double lasts_s, double horizon_s) {
-  const double against = -opponent.acceleration_mps2.dot(opponent.velocity_mps);
-  const double speed2 = opponent.velocity_mps.squaredNorm();
-  const bool brakes = against > 0.0 && 2.0 * against * against > opponent.acceleration_mps2.squaredNorm() * speed2;
-  return std::min(brakes ? std::max(lasts_s, speed2 / against) : lasts_s, horizon_s);
+/// cos² of the angle to straight back within which an acceleration is braking and no turn: 18°.
+constexpr double kStraight = 0.9;
+
+/// An opponent that brakes is taken to go on until it stands; any other acceleration lasts for a while, and then
+/// it drives on.
+Motion expected_motion(const Opponent& opponent, double lasts_s, double horizon_s) {
+  const Vec2& velocity = opponent.velocity_mps;
+  Motion motion(opponent.position_m, velocity);
+  const double against = -opponent.acceleration_mps2.dot(velocity);
+  const double speed2 = velocity.squaredNorm();
+  const bool brakes = lasts_s > 0.0 && against > 0.0 &&
+                      against * against > kStraight * opponent.acceleration_mps2.squaredNorm() * speed2;
+  if (brakes && speed2 < against * horizon_s) {
+    motion.then_stand(-(against / speed2) * velocity, speed2 / against);
+    return motion;
+  }
+  const double until_s = brakes ? horizon_s : std::min(lasts_s, horizon_s);
+  if (until_s > 0.0) motion.then(opponent.acceleration_mps2, until_s);
+  if (horizon_s > until_s) motion.then(Vec2::Zero(), horizon_s - until_s);
+  return motion;
 }
 
 }  // namespace
@@ -26,10 +40,7 @@ void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits&
   for (const Opponent& opponent : opponents) {
     Model& model = models_.emplace_back();
     model.braking = braking(opponent.position_m, opponent.velocity_mps, 0.0, limits.braking_max_mps2, period_s);
-    const double lasts_s = lasting_s(opponent, params.acceleration_lasts_s, horizon_s_);
-    model.expected = Motion(opponent.position_m, opponent.velocity_mps);
-    if (lasts_s > 0.0) model.expected.then(opponent.acceleration_mps2, lasts_s);
-    if (horizon_s_ > lasts_s) model.expected.then(Vec2::Zero(), horizon_s_ - lasts_s);
+    model.expected = expected_motion(opponent, params.acceleration_lasts_s, horizon_s_);
     const double speed = opponent.velocity_mps.norm();
     model.braking_gap_m = gap_m_ + params.opponent_reaction_s * speed;
     model.growth_mps = params.opponent_growth * speed;

@@ -24,8 +24,8 @@ class OpponentModels {
 
   /// Of all opponents that brake from now on, for ever; with the margins for what they may do within a period.
   bool is_clear_of_braking(const Motion& ours) const;
-  /// Of where each is expected: its acceleration lasts for a while, then it drives on. Up to the horizon, with gaps
-  /// that grow meanwhile.
+  /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands.
+  /// Up to the horizon, with gaps that grow meanwhile.
   bool is_clear_of_expected(const Motion& ours) const;
   /// True when a body is expected to touch ours within that time.
   bool hit_within(const Motion& ours, double within_s) const;

@@ -17,7 +17,7 @@ struct SafetyParams {
   /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
   /// braking = 17.5 ms at 100 Hz, rounded up.
   double opponent_reaction_s = 0.018;
-  double acceleration_lasts_s = 0.3;  ///< an opponent's estimated acceleration is taken to last so long
+  double acceleration_lasts_s = 0.3;  ///< an opponent's acceleration is taken to last so long, or until it stands
   /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share
   /// of the way it drives meanwhile. So what is planned for later still holds when later comes.
   double opponent_growth = 0.06;
@@ -30,7 +30,7 @@ struct SafetyParams {
   /// Who cannot keep clear of opponents that brake goes on through, where that is clear of where they are expected, if
   /// otherwise one would hit it within this time. Longer: fewer contacts with those that avoid nobody. Shorter: fewer
   /// with those that brake too.
-  double way_through_s = 0.3;
+  double way_through_s = 0.5;
   /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
   /// bought nothing.
   std::int64_t directions = 16;

@@ -1,7 +1,6 @@
 #include "control/safety/safety_search.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "control/motion_limits.h"
@@ -75,6 +74,7 @@ Vec2 SafetySearch::brake(std::size_t robot) {
 
 Vec2 SafetySearch::choose_for(std::size_t robot) {
   const SafetyRobot& self = team_[robot];
+  if (self.must_stand) return brake(robot);
   Vec2 chosen = Vec2::Zero();
   Safety best = Safety::none;
   const auto consider = [&](const Vec2& next_mps) {
@@ -89,10 +89,7 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   };
   const Vec2 wanted =
       limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_, period_s_);
-  const bool is_granted = consider(wanted);
-  // Who is to stand stands, also in somebody's way: halted robots and those nobody plans for must not move aside.
-  const bool stands = self.wanted_mps.isZero(0.0) && best >= Safety::team;
-  if (!is_granted && !stands) {
+  if (!consider(wanted)) {
     sample(self);
     for (const auto& [distance, next_mps] : samples_) {
       if (consider(next_mps)) break;
@@ -101,7 +98,7 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   // Nothing is better than braking, which is always left, unless that comes to stand in the line of fire.
   const bool goes_through =
       best == Safety::way_through && opponents_.hit_within(promised_[robot], params_->way_through_s);
-  if (best < Safety::opponents_brake && !goes_through && !stands) return brake(robot);
+  if (best < Safety::opponents_brake && !goes_through) return brake(robot);
   promised_[robot] = promised_candidate_;
   expected_[robot] = motion_to(robot, chosen, params_->hold_s);
   return chosen;
@@ -142,17 +139,21 @@ bool SafetySearch::is_clear_of_shapes(std::size_t robot, const Motion& motion) c
   return true;
 }
 
-/// Braking, driving on, or keeping the change of velocity up for a while must be clear of where each is expected.
+/// Braking, driving on, or keeping the change of velocity up for a while must be clear of where each is expected. Only
+/// of that: of team-mates and of what stands braking keeps clear, at every later tick too.
 bool SafetySearch::is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
   if (opponents_.is_clear_of_expected(motion)) return true;
   const SafetyRobot& self = team_[robot];
-  const Vec2 acceleration = (next_mps - self.velocity_mps) / period_s_;
-  const auto is_clear_when_held = [&](double hold_s) {
+  const Vec2 change = (next_mps - self.velocity_mps) / period_s_;
+  const auto is_clear_when_held = [&](const Vec2& acceleration, double hold_s) {
     return opponents_.is_clear_of_expected(sustained(self.position_m, self.velocity_mps, acceleration, hold_s,
                                                      self.speed_max_mps, period_s_, params_->horizon_s));
   };
-  return is_clear_when_held(period_s_) || is_clear_when_held(params_->evasion_short_s) ||
-         is_clear_when_held(params_->evasion_long_s);
+  if (is_clear_when_held(change, period_s_)) return true;
+  if (change.isZero(0.0)) return false;
+  // What can be kept up, whichever way the velocity turns meanwhile.
+  const Vec2 lasting = clamped_norm(change, limits_->acceleration_max_mps2);
+  return is_clear_when_held(lasting, params_->evasion_short_s) || is_clear_when_held(lasting, params_->evasion_long_s);
 }
 
 }  // namespace regista

@@ -1,6 +1,7 @@
 // Dynamic safety search for a team (after Bruce & Veloso, "Safe multirobot navigation within dynamics constraints",
-// Proc. IEEE 94(7), 2006): every robot gets the reachable velocity nearest to the wanted one after which it can still
-// brake to a stand without touching anything.
+// Proc. IEEE 94(7), 2006): after every reachable velocity it is asked whether the robot can still brake to a stand
+// without touching anything, and how well it keeps clear of opponents and of where team-mates are expected (Safety).
+// The safest velocity is taken, of equally safe ones the nearest to the wanted one.
 //
 // Why team-mates never touch while robots do as they are told: at the start of a tick all of them braking is free of
 // contact. Robots choose one after another; whoever has chosen has promised "this period, then brake", whoever has not
@@ -24,9 +25,10 @@ namespace regista {
 struct SafetyRobot {
   Vec2 position_m = Vec2::Zero();
   Vec2 velocity_mps = Vec2::Zero();
-  Vec2 wanted_mps = Vec2::Zero();  ///< velocity after this period, need not be reachable; zero: only brakes
+  Vec2 wanted_mps = Vec2::Zero();  ///< velocity after this period, need not be reachable
   double speed_max_mps = 3.0;
   bool may_enter_own_area = false;
+  bool must_stand = false;  ///< brakes and then stands, whoever comes: halted, or nobody plans for it
 };
 
 class SafetySearch {

@@ -13,7 +13,7 @@
 
 namespace regista {
 
-/// What two motions must keep between their centres from now on: distance_m, growing by growth_mps while they move.
+/// What two motions must keep between their centres from now on: distance_m, growing by growth_mps with time.
 struct Gap {
   double distance_m = 0.0;
   double growth_mps = 0.0;

@@ -153,14 +153,50 @@ TEST_CASE("opponents that brake are never touched, seen to brake or never gone t
   }
 }
 
-TEST_CASE("who is to stand stands, whoever comes") {
-  SafeTeam team;
-  team.robots = {SafetyRobot{}};
-  const Opponent coming{{0.8, 0.0}, {-2.0, 0.0}, Vec2::Zero()};
-  SafetySearch search;
-  std::vector<Vec2> chosen;
-  search.choose(team.robots, std::span(&coming, 1), team.around, team.limits, team.params, team.period_s, chosen);
-  CHECK(chosen.front() == Vec2(Vec2::Zero()));
+TEST_CASE("who must stand brakes straight ahead and then stands, whoever comes") {
+  for (std::uint64_t seed = 3000; seed < 3040; ++seed) {
+    std::mt19937_64 random(seed);
+    SafeTeam team = random_safe_team(random);
+    SafetySearch search;
+    for (int period = 0; period < 90; ++period) {
+      wish(team, random);
+      SafetyRobot& halted = team.robots.front();
+      halted.must_stand = true;
+      const Vec2 before_mps = halted.velocity_mps;
+      const std::vector<Opponent> opponents{{halted.position_m + Vec2(0.5, 0.0), {-2.0, 0.0}, Vec2::Zero()}};
+      std::vector<Vec2> chosen;
+      search.choose(team.robots, opponents, team.around, team.limits, team.params, team.period_s, chosen);
+      INFO("seed " << seed << ", period " << period);
+      CHECK(std::abs(cross(chosen.front(), before_mps)) <= 1e-12);
+      CHECK(chosen.front().norm() <= std::max(0.0, before_mps.norm() - 1e-3));
+      REQUIRE(move_on(team, chosen) == "");
+    }
+    CHECK(team.robots.front().velocity_mps == Vec2(Vec2::Zero()));
+  }
+}
+
+TEST_CASE("who goes through in the line of fire is missed by those that only braking would let hit it") {
+  const auto hits = [](double way_through_s) {
+    SafeTeam team;
+    team.params.way_through_s = way_through_s;
+    SafetyRobot robot;
+    robot.velocity_mps = {0.0, 2.0};
+    robot.wanted_mps = {0.0, 2.0};
+    team.robots = {robot};
+    Opponent fast{{0.7, 0.4}, {-2.0, 0.0}, Vec2::Zero()};
+    SafetySearch search;
+    std::vector<Vec2> chosen;
+    double least_m = 1.0;
+    for (int period = 0; period < 60; ++period) {
+      search.choose(team.robots, std::span(&fast, 1), team.around, team.limits, team.params, team.period_s, chosen);
+      fast.position_m += team.period_s * fast.velocity_mps;
+      REQUIRE(move_on(team, chosen) == "");
+      least_m = std::min(least_m, (fast.position_m - team.robots.front().position_m).norm());
+    }
+    return least_m < 2.0 * team.limits.radius_m;
+  };
+  CHECK(hits(0.0));
+  CHECK_FALSE(hits(SafetyParams{}.way_through_s));
 }
 
 }  // namespace

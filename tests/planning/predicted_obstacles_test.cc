@@ -47,6 +47,7 @@ constexpr double kSpeed_mps = 2.0;
 TEST_CASE("others move to the approach and shrink off start and goal; oneself and what stands stay") {
   std::mt19937_64 random(92);
   int shrunk = 0;
+  int after_arrival = 0;
   for (int i = 0; i < 1000; ++i) {
     WorldState world;
     std::vector<Obstacle> obstacles;
@@ -64,6 +65,10 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
     predict(obstacles, world, self, goal, {horizon_s, team_horizon_s, kSpeed_mps}, out);
     RobotState on_its_way = self;
     on_its_way.twist.velocity_mps = kSpeed_mps * (goal - self.pose.position_m).normalized();
+    const double arrival_s = (goal - self.pose.position_m).norm() / kSpeed_mps;
+    RobotState there = self;
+    there.pose.position_m = goal;
+    there.twist.velocity_mps = Vec2::Zero();
     REQUIRE(out.size() == obstacles.size());
     CHECK(out[2] == obstacles[2]);
     CHECK(out[5] == obstacles[5]);
@@ -71,9 +76,12 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
       if (k == 2) continue;
       const RobotState& other = world.robots[k];
       INFO("world " << i << " of seed 92, robot " << k);
-      const Vec2 expected =
-          other.pose.position_m +
-          nearest_approach_s(on_its_way, other, k == 4 ? horizon_s : team_horizon_s) * other.twist.velocity_mps;
+      const double ahead_s = k == 4 ? horizon_s : team_horizon_s;
+      double approach_s = nearest_approach_s(on_its_way, other, ahead_s);
+      // It does not drive on beyond its goal.
+      if (approach_s >= arrival_s) approach_s = std::max(arrival_s, nearest_approach_s(there, other, ahead_s));
+      after_arrival += approach_s >= arrival_s ? 1 : 0;
+      const Vec2 expected = other.pose.position_m + approach_s * other.twist.velocity_mps;
       CHECK((out[k].a - expected).norm() <= 1e-12);
       CHECK(out[k].b == out[k].a);
       CHECK(out[k].radius_m <= obstacles[k].radius_m);
@@ -84,6 +92,7 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
     }
   }
   CHECK(shrunk > 20);
+  CHECK(after_arrival > 100);
 }
 
 }  // namespace

@@ -13,11 +13,11 @@ namespace {
 
 using Vec4 = Eigen::Vector4d;
 
-constexpr int kStarts = 400;    // of the search; most states need one to five
-constexpr int kSteps = 80;      // of each
-constexpr double kRest = 1e-9;  // |v|, |x| of the end where a = 1 and the time about 1: the search has converged
-constexpr double kLine = 1e-5;  // |x × v| likewise: off the line by so little changes the time by its square
-constexpr double kNearLine = 1e-3;
+constexpr int kStarts = 400;        // of the search; most states need one to five
+constexpr int kSteps = 80;          // of each
+constexpr double kRest = 1e-9;      // |v|, |x| of the end where a = 1 and the time about 1: the search has converged
+constexpr double kLine = 1e-5;      // |x × v| likewise: off the line by so little changes the time by its square
+constexpr double kNearLine = 1e-3;  // likewise: where the search finds nothing, the time along the line does, to 1e-3
 constexpr double kSteepest = 30.0;  // sinh(30) = 5e12: a switch as sharp as that is one between full ahead and back
 constexpr double kFlat = 0.3;       // below, the closed form would divide small differences
 
