@@ -62,7 +62,7 @@ TEST_CASE_METHOD(Fixture, "what dies is started again, the others are left alone
   CHECK(is_alive(pids("task-pids").back()));
   CHECK(launcher.given_up() == 0);
   launcher.stop();
-  CHECK(alive().empty());
+  CHECK(eventually([&] { return alive().empty(); }));
 }
 
 TEST_CASE_METHOD(Fixture, "a module that cannot run is given up after five quick deaths") {
@@ -102,7 +102,7 @@ TEST_CASE_METHOD(Fixture, "modules may end in order, and those that will not are
   }));
   launcher.stop();
   CHECK(count("ends") == 1);
-  CHECK(alive().empty());
+  CHECK(eventually([&] { return alive().empty(); }));
 }
 
 TEST_CASE_METHOD(Fixture, "a launcher that goes without a word takes its modules with it") {
@@ -118,14 +118,14 @@ TEST_CASE_METHOD(Fixture, "a module that talks without end is neither blocked no
   Launcher launcher(bus, {script(folder, "sim", "while :; do echo words; done")}, folder.path(""), display);
   for (int i = 0; i < 20; ++i) launcher.step(Duration::zero());
   launcher.stop();
-  CHECK(alive().empty());
+  CHECK(eventually([&] { return alive().empty(); }));
 }
 
 TEST_CASE_METHOD(Fixture, "a program that is not there is named before anything is started") {
   const auto sim = script(folder, "sim", "sleep 1000");
   CHECK_THROWS_WITH(Launcher(bus, {sim, {"task", "regista-task", {}}}, folder.path(""), display),
                     Catch::Contains("regista-task") && Catch::Contains("build it"));
-  CHECK(alive().empty());
+  CHECK(eventually([&] { return alive().empty(); }));
 }
 
 }  // namespace
