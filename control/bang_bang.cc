@@ -1,7 +1,7 @@
 #include "control/bang_bang.h"
 
-#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace regista {

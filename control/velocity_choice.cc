@@ -2,8 +2,9 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "control/safety/separation.h"
 
 namespace regista {
 namespace {

@@ -18,7 +18,8 @@ struct MinimumTime {
 
 /// From position x, m, and velocity v, m/s, to rest at the origin with |acceleration| <= a, m/s². Throws
 /// std::invalid_argument for a <= 0 or numbers that are not finite, std::runtime_error with the state where the search
-/// finds nothing.
+/// finds nothing. So near to a line through the origin that it does not converge, the answer is the line's, whose
+/// duration is right to some 1e-3 and whose end is that far off.
 MinimumTime minimum_time(const Vec2& x, const Vec2& v, double a);
 
 /// Positive where the costate of `answer` proves that the state cannot come to rest at the origin within time_s:
