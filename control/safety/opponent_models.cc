@@ -39,7 +39,8 @@ void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits&
   models_.clear();
   for (const Opponent& opponent : opponents) {
     Model& model = models_.emplace_back();
-    model.braking = braking(opponent.position_m, opponent.velocity_mps, 0.0, limits.braking_max_mps2, period_s);
+    model.braking = braking(opponent.position_m, opponent.velocity_mps, 0.0,
+                            params.braking_share * limits.braking_max_mps2, period_s);
     model.expected = expected_motion(opponent, params.acceleration_lasts_s, horizon_s_);
     const double speed = opponent.velocity_mps.norm();
     model.braking_gap_m = gap_m_ + params.opponent_reaction_s * speed;

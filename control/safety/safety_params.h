@@ -13,6 +13,10 @@ struct SafetyParams {
   /// pushed for was seen at 20 mm (README, bench crowd); `regista bench margins` shows what errors of the model ask
   /// for.
   double team_margin_m = 0.02;
+  /// Of the braking limit, what promises to brake count on, and what opponents are taken to brake with. A robot that
+  /// turns while it brakes needs the rest to keep its direction: with all of it promised, some ran into walls, and
+  /// mates into them.
+  double braking_share = 0.9;
   double opponent_margin_m = 0.03;  ///< likewise; their motion is known less well
   /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
   /// braking = 17.5 ms at 100 Hz, rounded up.
@@ -44,6 +48,7 @@ struct SafetyParams {
   static void visit(Self& self, V&& v) {
     v("mode", self.mode, Range{}, "", "none, published or team");
     v("team_margin_m", self.team_margin_m, Range{0.0, 1.0}, "m", "kept between team-mates");
+    v("braking_share", self.braking_share, Range{0.1, 1.0}, "", "share of the braking limit that is counted on");
     v("opponent_margin_m", self.opponent_margin_m, Range{0.0, 1.0}, "m", "kept to opponents");
     v("opponent_reaction_s", self.opponent_reaction_s, Range{0.0, 1.0}, "s", "further margin per opponent's speed");
     v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");

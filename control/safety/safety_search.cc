@@ -22,12 +22,13 @@ void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opp
   limits_ = &limits;
   params_ = &params;
   period_s_ = period_s;
+  promised_mps2_ = params.braking_share * limits.braking_max_mps2;
   opponents_.set(opponents, limits, params, period_s);
   promised_.clear();
   expected_.clear();
   for (const SafetyRobot& robot : team) {
     for (auto [motions, hold_s] : {std::pair{&promised_, 0.0}, std::pair{&expected_, params.hold_s}}) {
-      motions->push_back(braking(robot.position_m, robot.velocity_mps, hold_s, limits.braking_max_mps2, period_s));
+      motions->push_back(braking(robot.position_m, robot.velocity_mps, hold_s, promised_mps2_, period_s));
     }
   }
   chosen_mps.clear();
@@ -36,7 +37,7 @@ void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opp
 
 Motion SafetySearch::motion_to(std::size_t robot, const Vec2& next_mps, double hold_s) const {
   const SafetyRobot& self = team_[robot];
-  return manoeuvre(self.position_m, self.velocity_mps, next_mps, hold_s, limits_->braking_max_mps2, period_s_);
+  return manoeuvre(self.position_m, self.velocity_mps, next_mps, hold_s, promised_mps2_, period_s_);
 }
 
 /// All that can be reached in a period and is tried, nearest to the wanted velocity first.
@@ -72,9 +73,19 @@ Vec2 SafetySearch::brake(std::size_t robot) {
   return promise.settled_s() > 0.0 ? velocity_after(promise.phases().front(), period_s_) : Vec2(Vec2::Zero());
 }
 
+/// Braking with all there is where that is as safe as what was promised.
+Vec2 SafetySearch::stop(std::size_t robot) {
+  const Vec2 next_mps = limited_velocity(team_[robot].velocity_mps, Vec2::Zero(), *limits_, period_s_);
+  const Motion motion = motion_to(robot, next_mps, 0.0);
+  if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return brake(robot);
+  promised_[robot] = motion;
+  expected_[robot] = motion;
+  return next_mps;
+}
+
 Vec2 SafetySearch::choose_for(std::size_t robot) {
   const SafetyRobot& self = team_[robot];
-  if (self.must_stand) return brake(robot);
+  if (self.must_stand) return stop(robot);
   Vec2 chosen = Vec2::Zero();
   Safety best = Safety::none;
   const auto consider = [&](const Vec2& next_mps) {

@@ -48,6 +48,7 @@ class SafetySearch {
   void sample(const SafetyRobot& robot);
   Vec2 choose_for(std::size_t robot);
   Vec2 brake(std::size_t robot);
+  Vec2 stop(std::size_t robot);
   Safety safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
   bool is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const;
   bool is_clear_of_shapes(std::size_t robot, const Motion& motion) const;
@@ -60,6 +61,7 @@ class SafetySearch {
   const RobotLimits* limits_ = nullptr;
   const SafetyParams* params_ = nullptr;
   double period_s_ = 0.0;
+  double promised_mps2_ = 0.0;    ///< how hard braking is counted on
   std::vector<Motion> promised_;  ///< by robot
   std::vector<Motion> expected_;  ///< likewise: holds its velocity for a while before it brakes
   Motion promised_candidate_;

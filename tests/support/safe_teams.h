@@ -19,7 +19,7 @@ struct SafeTeam {
   std::vector<int> intents;  ///< what each robot is up to, see wish()
   Surroundings around;
   RobotLimits limits;
-  SafetyParams params;
+  SafetyParams params{.braking_share = 1.0};  // its teams start as safe as braking with all of it makes them
   double period_s = 0.01;
 };
 
