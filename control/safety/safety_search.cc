@@ -75,7 +75,7 @@ Vec2 SafetySearch::brake(std::size_t robot) {
 
 /// Braking with all there is where that is as safe as what was promised.
 Vec2 SafetySearch::stop(std::size_t robot) {
-  const Vec2 next_mps = limited_velocity(team_[robot].velocity_mps, Vec2::Zero(), *limits_, period_s_);
+  Vec2 next_mps = limited_velocity(team_[robot].velocity_mps, Vec2::Zero(), *limits_, period_s_);
   const Motion motion = motion_to(robot, next_mps, 0.0);
   if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return brake(robot);
   promised_[robot] = motion;
