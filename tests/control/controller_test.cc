@@ -169,9 +169,7 @@ TEST_CASE("a robot that vision has lost brakes before it is taken from the world
   CHECK(driving >= 2.0);
   world.robots[0].age = from_seconds(params.unseen_deadline_s) + Duration{1};
   const double braking = controller.update(world, plans, kDt_s).commands[0].velocity.forward_mps;
-  // Braking takes whole periods, so it is up to one period's share weaker than the limit.
-  CHECK(braking == Approx(driving - params.limits.braking_max_mps2 * kDt_s).margin(1e-3));
-  CHECK(braking >= driving - params.limits.braking_max_mps2 * kDt_s - 1e-9);
+  CHECK(braking == Approx(driving - params.limits.braking_max_mps2 * kDt_s));
 }
 
 TEST_CASE("mirrored world and plans give mirrored commands") {
