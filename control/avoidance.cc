@@ -41,9 +41,10 @@ const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::spa
 
 void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                     std::span<const Opponent> opponents, const ControlParams& params) {
-  if (params.velocity_choice.horizon_s <= 0.0) return;
+  const double horizon_s = std::max(params.velocity_choice.horizon_s, params.velocity_choice.foul_horizon_s);
+  if (horizon_s <= 0.0) return;
   const double bodies_m = 2.0 * params.limits.radius_m;
-  const double reach_m = 2.0 * params.limits.speed_max_mps * params.velocity_choice.horizon_s + bodies_m;
+  const double reach_m = 2.0 * params.limits.speed_max_mps * horizon_s + bodies_m;
   const double acceleration = params.limits.acceleration_max_mps2;
   for (std::size_t i = 0; i < team.size(); ++i) {
     if (team[i].wanted_mps.isZero(0.0)) continue;  // who stands, stands
@@ -58,12 +59,12 @@ void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const
       neighbours_.push_back(
           {team[j].position_m, team[j].velocity_mps,
            clamped_norm(change_mps / std::max(params.safety.acceleration_lasts_s, kShortest_s), acceleration),
-           bodies_m + params.safety.team_margin_m});
+           bodies_m + params.safety.team_margin_m, false});
     }
     for (const Opponent& opponent : opponents) {
       if (!is_near(opponent.position_m)) continue;
       neighbours_.push_back({opponent.position_m, opponent.velocity_mps, opponent.acceleration_mps2,
-                             bodies_m + params.safety.opponent_margin_m});
+                             bodies_m + params.safety.opponent_margin_m, true});
     }
     team[i].wanted_mps = choose_velocity(team[i], arrivals_s[i], neighbours_, params.velocity_choice,
                                          params.safety.acceleration_lasts_s);

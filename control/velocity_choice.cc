@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "control/safety/separation.h"
+#include "world_model/types/crash_rule.h"
 
 namespace regista {
 namespace {
@@ -14,16 +15,15 @@ constexpr std::array kSpeeds{1.0, 0.75, 0.5, 0.25};  ///< parts of the speed lim
 /// Nearer contacts than this are equally bad; nothing can be changed in one period.
 constexpr double kSoonest_s = 0.01;
 
-/// When a point at `apart_m` that moves with `velocity_mps` comes within gap_m of the origin.
-double time_to_disc(const Vec2& apart_m, const Vec2& velocity_mps, double gap_m) {
-  const double approach = -apart_m.dot(velocity_mps);
-  if (approach <= 0.0) return kNever;
-  const double excess = apart_m.squaredNorm() - gap_m * gap_m;
-  if (excess <= 0.0) return 0.0;
-  const double speed2 = velocity_mps.squaredNorm();
-  const double discriminant = approach * approach - speed2 * excess;
-  if (discriminant < 0.0) return kNever;
-  return (approach - std::sqrt(discriminant)) / speed2;
+/// Where it is by then, and how fast it moves.
+struct Moved {
+  Vec2 position_m, velocity_mps;
+};
+Moved moved(const Neighbour& neighbour, double after_s, double acceleration_lasts_s) {
+  const double lasts_s = std::min(after_s, acceleration_lasts_s);
+  const Vec2 gained_mps = lasts_s * neighbour.acceleration_mps2;
+  return {neighbour.position_m + after_s * neighbour.velocity_mps + (after_s - lasts_s / 2.0) * gained_mps,
+          neighbour.velocity_mps + gained_mps};
 }
 
 class Judge {
@@ -34,19 +34,29 @@ class Judge {
 
   /// What danger adds to a velocity's cost; stops as soon as that exceeds `bearable`.
   double danger(const Vec2& velocity_mps, double bearable) const {
-    double soonest_s = until_s_;
     double danger = 0.0;
     for (const Neighbour& neighbour : neighbours_) {
       const double contact_s = time_to_contact(robot_.position_m, velocity_mps, neighbour, lasts_s_);
-      if (contact_s >= soonest_s) continue;
-      soonest_s = contact_s;
-      danger = params_.weight_m * (1.0 / std::max(contact_s, kSoonest_s) - 1.0 / params_.horizon_s);
+      if (contact_s >= until_s_) continue;
+      const bool is_foul = neighbour.is_opponent && is_our_foul(velocity_mps, neighbour, contact_s);
+      const double horizon_s = is_foul ? params_.foul_horizon_s : params_.horizon_s;
+      if (contact_s >= horizon_s) continue;
+      const double weight_m = is_foul ? params_.foul_weight_m : params_.weight_m;
+      danger = std::max(danger, weight_m * (1.0 / std::max(contact_s, kSoonest_s) - 1.0 / horizon_s));
       if (danger > bearable) break;
     }
     return danger;
   }
 
  private:
+  bool is_our_foul(const Vec2& velocity_mps, const Neighbour& neighbour, double contact_s) const {
+    const Moved then = moved(neighbour, contact_s, lasts_s_);
+    const Vec2 apart = then.position_m - robot_.position_m - contact_s * velocity_mps;
+    const Vec2 normal = apart.stableNormalized();
+    const Fault fault = crash_fault(velocity_mps.dot(normal), -then.velocity_mps.dot(normal));
+    return fault == Fault::first || fault == Fault::both;
+  }
+
   const SafetyRobot& robot_;
   double until_s_;
   std::span<const Neighbour> neighbours_;
@@ -72,8 +82,7 @@ double time_to_contact(const Vec2& from_m, const Vec2& velocity_mps, const Neigh
 
 Vec2 choose_velocity(const SafetyRobot& robot, double arrival_s, std::span<const Neighbour> neighbours,
                      const VelocityChoiceParams& params, double acceleration_lasts_s) {
-  const double until_s = std::min(params.horizon_s, arrival_s);
-  const Judge judge(robot, until_s, neighbours, params, acceleration_lasts_s);
+  const Judge judge(robot, arrival_s, neighbours, params, acceleration_lasts_s);
   Vec2 best = robot.wanted_mps;
   double least = judge.danger(best, kNever);
   if (least == 0.0) return best;

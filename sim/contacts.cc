@@ -42,11 +42,7 @@ double closing_speed_mps(const RobotBody& a, const RobotBody& b) {
 
 Fault crash_fault(const RobotBody& first, const RobotBody& second) {
   const Vec2 normal = line_of_centres(first, second);
-  const double first_towards = first.twist.velocity_mps.dot(normal);
-  const double second_towards = -second.twist.velocity_mps.dot(normal);
-  if (first_towards + second_towards <= kCrashSpeed_mps) return Fault::none;
-  if (std::abs(first_towards - second_towards) < kCrashDifference_mps) return Fault::both;
-  return first_towards > second_towards ? Fault::first : Fault::second;
+  return crash_fault(first.twist.velocity_mps.dot(normal), -second.twist.velocity_mps.dot(normal));
 }
 
 ContactLog::ContactLog(double robot_radius_m) : robot_radius_m_(robot_radius_m) {}

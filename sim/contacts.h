@@ -8,22 +8,17 @@
 
 #include "sim/near_pairs.h"
 #include "sim/robot_model.h"
+#include "world_model/types/crash_rule.h"
 #include "world_model/types/time.h"
 
 namespace regista {
 
-/// Faster closing than this is a crash; SSL rules.
-inline constexpr double kCrashSpeed_mps = 1.5;
-/// Robots whose speeds towards each other differ by less are both guilty; SSL rules.
-inline constexpr double kCrashDifference_mps = 0.3;
 /// A contact begins when discs overlap at any moment of a step and ends when they are this far apart, so that shaking
 /// is one contact. Metres.
 inline constexpr double kContactHysteresis_m = 0.01;
 
 /// How many contacts a log keeps: minutes of a crowded game, however long a run is.
 inline constexpr std::size_t kContactsKept = 1000;
-
-enum class Fault : std::uint8_t { none, first, second, both };
 
 struct Contact {
   Time at{};      ///< when it began

@@ -9,15 +9,6 @@ namespace {
 /// A speed that is a whole number of periods' braking must not count as one more by rounding.
 constexpr double kWholePeriods = 1e-6;
 
-/// Until so accelerated motion has that speed; 0 where it is faster already and gets no slower. The acceleration is not
-/// zero.
-double until_speed_s(const Vec2& velocity_mps, const Vec2& acceleration_mps2, double speed_mps) {
-  const double a = acceleration_mps2.squaredNorm();
-  const double b = acceleration_mps2.dot(velocity_mps);
-  const double c = velocity_mps.squaredNorm() - speed_mps * speed_mps;
-  return std::max(0.0, (-b + std::sqrt(std::max(0.0, b * b - a * c))) / a);
-}
-
 void append_braking(Motion& motion, const Vec2& velocity_mps, double braking_mps2, double period_s) {
   const double speed = velocity_mps.norm();
   if (speed == 0.0) return;
@@ -67,8 +58,11 @@ Motion sustained(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& a
                  double speed_max_mps, double period_s, double coast_s) {
   Motion motion(position_m, velocity_mps);
   if (!acceleration_mps2.isZero(0.0)) {
-    const double limit_s = until_speed_s(velocity_mps, acceleration_mps2, speed_max_mps);
-    motion.then(acceleration_mps2, std::max(period_s, std::min(hold_s, limit_s)));
+    const double duration_s = std::max(period_s, hold_s);
+    // Speeds up to the limit are a disc: what lies between two of its velocities lies in it.
+    const Vec2 then_mps =
+        clamped_norm(velocity_mps + duration_s * acceleration_mps2, std::max(speed_max_mps, velocity_mps.norm()));
+    motion.then((then_mps - velocity_mps) / duration_s, duration_s);
   }
   motion.then(Vec2::Zero(), coast_s);
   return motion;

@@ -42,6 +42,9 @@ class Motion {
   /// The same, and at the end the robot stands, whatever rounding says.
   void then_stand(const Vec2& acceleration_mps2, double duration_s);
 
+  /// The last phase's velocity is another one from its beginning on.
+  void then_hit(const Vec2& change_mps) { phases_[count_ - 1].velocity_mps += change_mps; }
+
   std::span<const Phase> phases() const { return {phases_.data(), count_}; }
   /// When the last phase begins, seconds.
   double settled_s() const { return phases_[count_ - 1].begin_s; }
@@ -65,8 +68,9 @@ Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double hold_s, 
 Motion manoeuvre(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& next_velocity_mps, double hold_s,
                  double braking_mps2, double period_s);
 
-/// Keeps accelerating for hold_s or until it has the speed speed_max_mps, at least for period_s > 0, and then drives
-/// on, told for coast_s > 0.
+/// Keeps accelerating for hold_s, at least for period_s > 0, and then drives on, told for coast_s > 0. Where that would
+/// exceed speed_max_mps, or the present speed if that is higher, it accelerates less, towards the velocity of that
+/// speed in the same direction: at its top speed a robot can still turn.
 Motion sustained(const Vec2& position_m, const Vec2& velocity_mps, const Vec2& acceleration_mps2, double hold_s,
                  double speed_max_mps, double period_s, double coast_s);
 

@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "control/safety/motion.h"
+#include "control/safety/opponent_touches.h"
 #include "control/safety/safety_params.h"
 #include "world_model/types/robot_limits.h"
 
 namespace regista {
 
-/// One whose mind is not known.
-struct Opponent {
-  Vec2 position_m = Vec2::Zero();
-  Vec2 velocity_mps = Vec2::Zero();
-  Vec2 acceleration_mps2 = Vec2::Zero();  ///< estimated
+/// How sure a motion is to be clear of where opponents are expected.
+enum class Care {
+  half,       ///< with half of the margins
+  margins,    ///< with all of them
+  any_change  ///< and also of where they are if their velocities stay as they are
 };
 
 class OpponentModels {
@@ -24,9 +25,9 @@ class OpponentModels {
 
   /// Of all opponents that brake from now on, for ever; with the margins for what they may do within a period.
   bool is_clear_of_braking(const Motion& ours) const;
-  /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands.
-  /// Up to the horizon, with gaps that grow meanwhile.
-  bool is_clear_of_expected(const Motion& ours) const;
+  /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
+  /// who is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile.
+  bool is_clear_of_expected(const Motion& ours, Care care = Care::margins) const;
   /// True when a body is expected to touch ours within that time.
   bool hit_within(const Motion& ours, double within_s) const;
 
@@ -34,13 +35,15 @@ class OpponentModels {
   struct Model {
     Motion braking;
     Motion expected;
+    Motion steady;  ///< keeps its velocity
     double braking_gap_m = 0.0;
     double growth_mps = 0.0;  ///< of the margin to where it is expected
   };
 
   std::vector<Model> models_;
-  double gap_m_ = 0.0;     ///< between centres, margin included
-  double bodies_m_ = 0.0;  ///< between centres that touch
+  std::vector<Touch> touches_;  ///< scratch
+  double gap_m_ = 0.0;          ///< between centres, margin included
+  double bodies_m_ = 0.0;       ///< between centres that touch
   double horizon_s_ = 0.0;
 };
 

@@ -31,9 +31,9 @@ struct SafetyParams {
   /// line of fire.
   double evasion_short_s = 0.15;
   double evasion_long_s = 0.6;
-  /// Who cannot keep clear of opponents that brake goes on through, where that is clear of where they are expected, if
-  /// otherwise one would hit it within this time. Longer: fewer contacts with those that avoid nobody. Shorter: fewer
-  /// with those that brake too.
+  /// Who cannot keep clear of opponents that brake goes on through, or at least dodges, where that is clear of where
+  /// they are expected, if otherwise one would hit it within this time. Longer: fewer contacts with those that avoid
+  /// nobody. Shorter: fewer with those that brake too.
   double way_through_s = 0.5;
   /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
   /// bought nothing.
@@ -41,7 +41,7 @@ struct SafetyParams {
   /// Team-mates are also expected to hold their velocities for so long before they brake, and kept clear of where that
   /// is possible. The longer, the earlier conflicts show, while they are cheap to avoid, and the more room is kept for
   /// nothing.
-  double hold_s = 0.2;
+  double hold_s = 0.16;
   bool operator==(const SafetyParams&) const = default;
 
   template <class Self, class V>

@@ -91,7 +91,10 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   const auto consider = [&](const Vec2& next_mps) {
     const Motion motion = motion_to(robot, next_mps, 0.0);
     const Safety safety = safety_of(robot, next_mps, motion);
-    if (safety > best) {
+    // Who dodges slows down meanwhile: margins are gone, and what hits a slow robot is not its fault.
+    const bool dodges_slower =
+        safety == Safety::dodge && best == safety && next_mps.squaredNorm() < chosen.squaredNorm();
+    if (safety > best || dodges_slower) {
       best = safety;
       chosen = next_mps;
       promised_candidate_ = motion;
@@ -107,8 +110,8 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
     }
   }
   // Nothing is better than braking, which is always left, unless that comes to stand in the line of fire.
-  const bool goes_through =
-      best == Safety::way_through && opponents_.hit_within(promised_[robot], params_->way_through_s);
+  const bool goes_through = (best == Safety::way_through || best == Safety::dodge) &&
+                            opponents_.hit_within(promised_[robot], params_->way_through_s);
   if (best < Safety::opponents_brake && !goes_through) return brake(robot);
   promised_[robot] = promised_candidate_;
   expected_[robot] = motion_to(robot, chosen, params_->hold_s);
@@ -118,10 +121,12 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
 SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
   if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return Safety::none;
   const bool is_clear_of_braking = opponents_.is_clear_of_braking(motion);
-  if (!is_clear_of_expected(robot, next_mps, motion)) {
-    return is_clear_of_braking ? Safety::opponents_brake : Safety::team;
+  if (!is_clear_of_expected(robot, next_mps, motion, Care::margins)) {
+    if (is_clear_of_braking) return Safety::opponents_brake;
+    return is_clear_of_expected(robot, next_mps, motion, Care::half) ? Safety::dodge : Safety::team;
   }
   if (!is_clear_of_braking) return Safety::way_through;
+  if (!is_clear_of_expected(robot, next_mps, motion, Care::any_change)) return Safety::opponents_expected;
   if (params_->hold_s <= 0.0) return Safety::ahead;
   return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
                                                                                          : Safety::opponents_expected;
@@ -152,13 +157,15 @@ bool SafetySearch::is_clear_of_shapes(std::size_t robot, const Motion& motion) c
 
 /// Braking, driving on, or keeping the change of velocity up for a while must be clear of where each is expected. Only
 /// of that: of team-mates and of what stands braking keeps clear, at every later tick too.
-bool SafetySearch::is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
-  if (opponents_.is_clear_of_expected(motion)) return true;
+bool SafetySearch::is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion,
+                                        Care care) const {
+  if (opponents_.is_clear_of_expected(motion, care)) return true;
   const SafetyRobot& self = team_[robot];
   const Vec2 change = (next_mps - self.velocity_mps) / period_s_;
   const auto is_clear_when_held = [&](const Vec2& acceleration, double hold_s) {
     return opponents_.is_clear_of_expected(sustained(self.position_m, self.velocity_mps, acceleration, hold_s,
-                                                     self.speed_max_mps, period_s_, params_->horizon_s));
+                                                     self.speed_max_mps, period_s_, params_->horizon_s),
+                                           care);
   };
   if (is_clear_when_held(change, period_s_)) return true;
   if (change.isZero(0.0)) return false;

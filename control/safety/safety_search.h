@@ -41,9 +41,10 @@ class SafetySearch {
 
  private:
   /// How much of what is wanted of a motion holds, by rank. All but `none` keep clear of the team's promises and of
-  /// what stands. `way_through`: clear of where opponents are expected, but not of their braking. `opponents_brake`: of
-  /// that. From `opponents_expected` on: of both. `ahead`: of where team-mates are expected too.
-  enum class Safety { none, team, way_through, opponents_brake, opponents_expected, ahead };
+  /// what stands. `dodge`: clear of where opponents are expected, with half the margins, but not of their braking.
+  /// `way_through`: the same with all margins. `opponents_brake`: clear of their braking. From `opponents_expected` on:
+  /// of both. `ahead`: of opponents that keep their velocities and of where team-mates are expected too.
+  enum class Safety { none, team, dodge, way_through, opponents_brake, opponents_expected, ahead };
 
   void sample(const SafetyRobot& robot);
   Vec2 choose_for(std::size_t robot);
@@ -52,7 +53,7 @@ class SafetySearch {
   Safety safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
   bool is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const;
   bool is_clear_of_shapes(std::size_t robot, const Motion& motion) const;
-  bool is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
+  bool is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion, Care care) const;
   Motion motion_to(std::size_t robot, const Vec2& next_mps, double hold_s) const;
 
   // Of the call that is being answered.

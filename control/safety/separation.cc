@@ -81,6 +81,17 @@ double furthest(double position, double velocity, double acceleration, double le
 
 }  // namespace
 
+double time_to_disc(const Vec2& apart_m, const Vec2& velocity_mps, double gap_m) {
+  const double approach = -apart_m.dot(velocity_mps);
+  if (approach <= 0.0) return kNever;
+  const double excess = apart_m.squaredNorm() - gap_m * gap_m;
+  if (excess <= 0.0) return 0.0;
+  const double speed2 = velocity_mps.squaredNorm();
+  const double discriminant = approach * approach - speed2 * excess;
+  if (discriminant < 0.0) return kNever;
+  return (approach - std::sqrt(discriminant)) / speed2;
+}
+
 double attainable_gap(double wanted_m, const Motion& a, const Motion& b) {
   return std::min(wanted_m, (a.phases().front().position_m - b.phases().front().position_m).norm() - kStill_m);
 }

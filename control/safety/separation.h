@@ -22,6 +22,10 @@ struct Gap {
 /// For ever, as the end of a span of time.
 inline constexpr double kNever = std::numeric_limits<double>::infinity();
 
+/// Seconds until a point at apart_m that keeps velocity_mps comes within gap_m of the origin: 0 where it is within and
+/// comes nearer, infinite where it never does.
+double time_to_disc(const Vec2& apart_m, const Vec2& velocity_mps, double gap_m);
+
 /// Two that are already nearer than wanted_m must at least come no nearer: the distance that can be asked of them.
 double attainable_gap(double wanted_m, const Motion& a, const Motion& b);
 

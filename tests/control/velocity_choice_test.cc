@@ -80,6 +80,22 @@ TEST_CASE("a wish nobody is in the way of is kept; one that runs into somebody i
   CHECK(changed > 20);
 }
 
+TEST_CASE("more is given up for a crash that would be our foul than for one that would be the other's") {
+  SafetyRobot robot;
+  robot.velocity_mps = {2.0, 0.0};
+  robot.wanted_mps = {2.0, 0.0};
+  const auto given_up = [&](const Vec2& theirs_mps, bool is_opponent) {
+    // 0.3 s before the contact, whoever brings the speed.
+    const Vec2 place{0.21 + 0.3 * (2.0 - theirs_mps.x()), 0.05};
+    const std::vector<Neighbour> other{{place, theirs_mps, Vec2::Zero(), 0.21, is_opponent}};
+    return (choose_velocity(robot, kNever, other, {}, 0.3) - robot.wanted_mps).norm();
+  };
+  const Vec2 slower{-1.0, 0.0};
+  CHECK(given_up(slower, true) > given_up(slower, false));
+  CHECK(given_up(slower, true) > given_up({-2.4, 0.0}, true));       // it is the faster one
+  CHECK(given_up({0.6, 0.0}, true) == given_up({0.6, 0.0}, false));  // 1.4 m/s is no crash
+}
+
 TEST_CASE("a robot that sets out close beside another sets out, if not quite in the direction wished for") {
   SafetyRobot robot;
   robot.wanted_mps = {0.03, 0.004};  // one period's, a little towards the other

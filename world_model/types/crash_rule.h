@@ -1,0 +1,23 @@
+// The league's crash rule: who is to blame when two robots of different teams touch.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace regista {
+
+/// Faster closing than this is a crash; SSL rules.
+inline constexpr double kCrashSpeed_mps = 1.5;
+/// Robots whose speeds towards each other differ by less are both guilty; SSL rules.
+inline constexpr double kCrashDifference_mps = 0.3;
+
+enum class Fault : std::uint8_t { none, first, second, both };
+
+/// From the speeds of two robots towards each other, along the line of centres.
+inline Fault crash_fault(double first_towards_mps, double second_towards_mps) {
+  if (first_towards_mps + second_towards_mps <= kCrashSpeed_mps) return Fault::none;
+  if (std::abs(first_towards_mps - second_towards_mps) < kCrashDifference_mps) return Fault::both;
+  return first_towards_mps > second_towards_mps ? Fault::first : Fault::second;
+}
+
+}  // namespace regista
