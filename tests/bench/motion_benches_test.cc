@@ -7,6 +7,7 @@
 #include "modules/bench/motion/margins_bench.h"
 #include "modules/bench/motion/motion_bench.h"
 #include "modules/bench/motion/scene_run.h"
+#include "modules/bench/motion/shuttle.h"
 #include "modules/bench/motion/swap_bench.h"
 #include "tests/bench/bench_run.h"
 
@@ -105,6 +106,32 @@ TEST_CASE("a dynamic drive without obstacles takes the straight line's time; obs
   CHECK(alone.collisions == 0);
   CHECK(alone.navigation_s > alone.straight_s - 0.1);
   CHECK(alone.navigation_s < 1.05 * alone.straight_s);
+}
+
+TEST_CASE("a shuttle is a robot: within its limits, at both ends in turn, at its top speed in between") {
+  RobotLimits limits;
+  limits.speed_max_mps = 2.5;
+  const auto length_m = GENERATE(0.5, 2.0, 5.0);
+  const Vec2 a{1.0, -0.5};
+  const Vec2 b = a + Vec2(0.0, length_m);
+  const Shuttle shuttle(a, b, limits);
+  CHECK(shuttle.place(0.0, 0.0) == a);
+  CHECK((shuttle.place(0.5, 0.0) - b).norm() <= 1e-9);
+  CHECK((shuttle.place(1.0, 0.0) - a).norm() <= 1e-9);
+  constexpr double kStep_s = 1e-3;
+  double fastest_mps = 0.0;
+  Vec2 last_mps = Vec2::Zero();
+  for (double time_s = kStep_s; time_s < 6.0; time_s += kStep_s) {
+    const Vec2 velocity = (shuttle.place(0.0, time_s) - shuttle.place(0.0, time_s - kStep_s)) / kStep_s;
+    INFO(length_m << " m, at " << time_s << " s");
+    REQUIRE(velocity.norm() <= 2.5 + 1e-9);
+    REQUIRE((velocity - last_mps).norm() <= 4.0 * kStep_s + 1e-6);
+    fastest_mps = std::max(fastest_mps, velocity.norm());
+    last_mps = velocity;
+  }
+  const double reached_mps = std::sqrt(2.0 * length_m / (1.0 / 3.0 + 1.0 / 4.0));
+  CHECK(fastest_mps == Approx(std::min(2.5, reached_mps)).epsilon(2e-3));
+  CHECK(Shuttle(a, a, limits).place(0.3, 1.0) == a);
 }
 
 TEST_CASE("bench dynamic") {

@@ -117,8 +117,8 @@ Table summary_table(const std::vector<Row>& rows) {
                mean([](const DynamicDrive& drive) { return drive.collisions == 0 ? 100.0 : 0.0; })});
   }
   table.notes = {
-      "7 and 5 obstacles at 2.5 m/s, to and fro, knowing nothing; bodies pass through each other; of the "
-      "drives that arrived within a minute",
+      "7 and 5 obstacles to and fro at up to 2.5 m/s with a robot's acceleration, knowing nothing; bodies pass through "
+      "each other; of the drives that arrived within a minute",
       "a path is planned for every frame; recalculated: frames that found an obstacle's centre within 90 mm "
       "of the path of the frame before",
       "fault by the crash rule; an obstacle that drives into the robot faster than it comes is to blame"};

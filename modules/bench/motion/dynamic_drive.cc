@@ -5,6 +5,7 @@
 
 #include "modules/bench/motion/free_move.h"
 #include "modules/bench/motion/scene_run.h"
+#include "modules/bench/motion/shuttle.h"
 #include "modules/bench/motion/simple_drivers.h"
 #include "modules/bench/motion/target_sources.h"
 #include "modules/bench/paper/dvg_scenario.h"
@@ -15,6 +16,7 @@ namespace {
 constexpr double kCrossed_m = 0.09;      // as in paper/dvg_dynamic.cc
 constexpr double kCollisionGap_s = 0.5;  // likewise
 constexpr double kGiveUp_s = 60.0;
+/// So that an obstacle keeps to its shuttle, whose acceleration is a robot's.
 constexpr double kObstacleAcceleration_mps2 = 100.0;
 constexpr double kCatchUp_s = 0.1;  // in which an obstacle is back where it should be
 const RobotId kRobot{Team::yellow, 0};
@@ -27,21 +29,29 @@ FieldGeometry open_field() {
   return field;
 }
 
-/// Obstacle i follows crossing i.
-std::unique_ptr<Driver> obstacles(const DynamicScenario& scenario, std::span<const double> phases) {
+std::vector<Shuttle> shuttles_of(const DynamicScenario& scenario) {
+  RobotLimits limits;
+  limits.speed_max_mps = scenario.speed_mps;
+  std::vector<Shuttle> shuttles;
+  for (const Crossing& crossing : scenario.obstacles) shuttles.emplace_back(crossing.a, crossing.b, limits);
+  return shuttles;
+}
+
+/// Obstacle i follows shuttle i.
+std::unique_ptr<Driver> obstacles(std::vector<Shuttle> shuttles, std::span<const double> phases) {
   RobotLimits limits;
   limits.acceleration_max_mps2 = kObstacleAcceleration_mps2;
   limits.braking_max_mps2 = kObstacleAcceleration_mps2;
   const std::vector<double> kept(phases.begin(), phases.end());
   return std::make_unique<VelocityDriver>(
       Team::blue, limits,
-      [crossings = scenario.obstacles, speed = scenario.speed_mps, kept](
-          const RobotState& robot, const WorldState& world, const Target* /*target*/) -> Vec2 {
+      [shuttles = std::move(shuttles), kept](const RobotState& robot, const WorldState& world,
+                                             const Target* /*target*/) -> Vec2 {
         constexpr double kAhead_s = 0.01;
-        const Crossing& crossing = crossings.at(robot.id.number);
+        const Shuttle& shuttle = shuttles.at(robot.id.number);
         const double time_s = to_seconds(world.valid_at - Time{});
-        const Vec2 due = place_of(crossing, speed, kept.at(robot.id.number), time_s);
-        const Vec2 next = place_of(crossing, speed, kept.at(robot.id.number), time_s + kAhead_s);
+        const Vec2 due = shuttle.place(kept.at(robot.id.number), time_s);
+        const Vec2 next = shuttle.place(kept.at(robot.id.number), time_s + kAhead_s);
         return (next - due) / kAhead_s + (due - robot.pose.position_m) / kCatchUp_s;
       });
 }
@@ -73,15 +83,16 @@ LoopSetup setup_of(const DynamicScenario& scenario, std::span<const double> phas
   setup.sim.field = open_field();
   setup.sim.robots_collide = false;
   setup.sim.robots = {{kRobot, {scenario.start, 0.0}}};
+  const std::vector<Shuttle> shuttles = shuttles_of(scenario);
   for (std::size_t i = 0; i < phases.size(); ++i) {
-    const Vec2 place = place_of(scenario.obstacles.at(i), scenario.speed_mps, phases[i], 0.0);
+    const Vec2 place = shuttles.at(i).place(phases[i], 0.0);
     setup.sim.robots.push_back({{Team::blue, static_cast<std::uint16_t>(i)}, {place, 0.0}});
   }
   // What the robot itself may do its controller knows.
   setup.sim.params.limits.acceleration_max_mps2 = kObstacleAcceleration_mps2;
   setup.sim.params.limits.braking_max_mps2 = kObstacleAcceleration_mps2;
   setup.of(Team::yellow).driver = std::make_unique<SystemDriver>(Team::yellow, system_params(config, Team::yellow));
-  setup.of(Team::blue).driver = obstacles(scenario, phases);
+  setup.of(Team::blue).driver = obstacles(shuttles, phases);
   return setup;
 }
 

@@ -21,8 +21,9 @@ struct DynamicDrive {
   std::size_t at_fault = 0;  ///< of these, the robot's alone or shared guilt by the crash rule
 };
 
-/// `phases` as drive() of paper/dvg_dynamic.h has them. Bodies pass through each other. Obstacles keep 2.5 m/s and turn
-/// within some 50 ms. Throws ConfigError and UnknownPlanner.
+/// `phases` are shares of each obstacle's time there and back. Bodies pass through each other. Obstacles are robots
+/// like ours: they speed up and brake within its limits and have its top speed where they cross; bench paper's turn
+/// round at full speed. Throws ConfigError and UnknownPlanner.
 DynamicDrive drive_dynamic(const DynamicScenario& scenario, std::span<const double> phases, const SystemChoice& system,
                            const std::string& preset, std::uint64_t seed);
 
