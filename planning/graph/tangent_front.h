@@ -42,32 +42,41 @@ class TangentFront {
 
  private:
   using LegIndex = std::uint32_t;
+  using ArrivalIndex = std::uint32_t;
   using State = std::uint32_t;  ///< a slot and a side, or one of the ends
 
   struct Leg {
     Place from, to;
     Vec2 along = Vec2::Zero();  ///< unit
     double cost = 0.0;          ///< length from the start to the leg's end
-    /// Once expanded: how far ahead (in order) a path can go on, and, where not all round, the order of the end.
-    double reach = 0.0;
-    double order = 0.0;
     LegIndex parent = 0;
     State state = 0;            ///< where it arrives
-    LegIndex next_here = 0;     ///< another expanded leg that arrives at this state
     std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
+  };
+  /// The end of a free leg, where ways go on.
+  struct Arrival {
+    ActiveObstacles::Departure departure;
+    double reach = 0.0;  ///< how far ahead (in order) a path can go on
+    double order = 0.0;  ///< of the leg's end, where it matters
+    /// Departures to obstacles have been made where no shorter way than this leads on over them; the others are queued
+    /// together, under the least of theirs (infinite for none).
+    double made_m = 0.0;
+    double next_m = 0.0;
+    LegIndex leg = 0;
+    State state = 0;
+    ArrivalIndex next_here = 0;  ///< another arrival at this state
   };
   struct Queued {
     double estimate;  ///< no way that goes on from here is shorter; metres
-    LegIndex leg;
-    State slot;  ///< kItself, or the one to which the leg's departures have not been made yet
+    std::uint32_t index;
+    bool is_arrival;  ///< of an arrival, whose departures have not all been made; else of a leg
   };
-  static constexpr State kItself = std::numeric_limits<State>::max();
 
   bool expand(SharedGraph& graph, LegIndex leg);
-  void set_departures(const Leg& leg);
-  void consider(LegIndex leg, State slot);
-  void depart_to_slot(LegIndex leg, State slot);
-  void depart(LegIndex leg, const Body& to, double to_side, State state);
+  Departures window_of(const Body& body, const Leg& leg, double reach, double order) const;
+  void make_departures(ArrivalIndex arrival);
+  void depart_to_slot(ArrivalIndex arrival, State slot);
+  void depart(ArrivalIndex arrival, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
@@ -82,15 +91,14 @@ class TangentFront {
   const ObstacleField* field_ = nullptr;
   Body start_, goal_;
   ActiveObstacles active_;
-  std::vector<LegIndex> expanded_here_;  ///< by state: the first of a list
-  std::vector<Leg> legs_;                ///< the first is the start
-  std::vector<LegIndex> expanded_;
-  std::vector<Queued> queue_;  ///< a heap, least estimate first
+  std::vector<ArrivalIndex> first_here_;  ///< by state: of a list of arrivals
+  std::vector<Leg> legs_;                 ///< the first is the start
+  std::vector<Arrival> arrivals_;         ///< the first is the start
+  std::vector<Queued> queue_;             ///< a heap, least estimate first
   std::vector<ObstacleIndex> pending_;
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
   Separation separation_;
-  Departures departures_;  ///< of the leg that is being expanded
   int legs_tested_ = 0;
   std::int64_t steps_ = 0;  ///< taken from the queue: legs, and departures that were put off
   double horizon_m_ = 0.0;  ///< estimate of what was last taken from the queue
