@@ -14,7 +14,6 @@ void ActiveObstacles::clear(std::size_t obstacles) {
   list_.clear();
   boxes_.clear();
   is_active_.assign(obstacles, 0);
-  recent_ = kBounds;
 }
 
 void ActiveObstacles::add(const ObstacleField& field, ObstacleIndex obstacle, const Vec2& goal) {
@@ -61,20 +60,21 @@ double ActiveObstacles::least_way_m(const Departure& departure, std::uint32_t sl
   return least_m(departure, discs_[slot / kLanes])[slot % kLanes];
 }
 
-bool ActiveObstacles::are_clear_of(const ObstacleField& field, ObstacleBoxes::Motion motion, std::uint32_t from,
-                                   std::uint32_t to) {
-  const auto blocks = [&](std::uint32_t slot) {
-    return slot != from && slot != to && !is_free(motion.from, motion.to, field.obstacles()[list_[slot]]);
-  };
-  // What blocked a leg blocks its neighbours as well. Among few it is not worth the question.
-  if (slots_.size() > kFew && recent_ != kBounds && blocks(recent_)) return false;
-  motion.left_out = left_out_bit(from) | left_out_bit(to);
+bool ActiveObstacles::are_clear_of(const ObstacleField& field, const ObstacleBoxes::Motion& motion, std::uint32_t from,
+                                   std::uint32_t to, Occluders& occluders) const {
+  // Among few it is not worth the question.
+  const bool are_many = slots_.size() > kFew;
+  if (are_many && occluders.surely_block(motion.from, motion.along, (motion.to - motion.from).dot(motion.along))) {
+    return false;
+  }
   bool is_blocked = false;
-  boxes_.visit_near(motion, [&](std::uint32_t slot) {
-    is_blocked = blocks(slot);
-    if (is_blocked) recent_ = slot;
-    return is_blocked;
-  });
+  boxes_.visit_near({motion.from, motion.to, motion.along, 0.0, left_out_bit(from) | left_out_bit(to)},
+                    [&](std::uint32_t slot) {
+                      const Obstacle& obstacle = field.obstacles()[list_[slot]];
+                      is_blocked = slot != from && slot != to && !is_free(motion.from, motion.to, obstacle);
+                      if (is_blocked && are_many) occluders.add(obstacle);
+                      return is_blocked;
+                    });
   return !is_blocked;
 }
 

@@ -8,6 +8,7 @@
 
 #include "planning/graph/body.h"
 #include "planning/graph/contacts.h"
+#include "planning/graph/occluders.h"
 #include "planning/graph/tangents.h"
 #include "planning/obstacle_field.h"
 
@@ -55,8 +56,9 @@ class ActiveObstacles {
   double least_way_m(const Departure& departure, std::uint32_t slot) const;
 
   /// None of them blocks the motion, which touches those of slots `from` and `to` (which may be no slots) and does not
-  /// cross them.
-  bool are_clear_of(const ObstacleField& field, ObstacleBoxes::Motion motion, std::uint32_t from, std::uint32_t to);
+  /// cross them. What does becomes one of the occluders of such motions.
+  bool are_clear_of(const ObstacleField& field, const ObstacleBoxes::Motion& motion, std::uint32_t from,
+                    std::uint32_t to, Occluders& occluders) const;
 
  private:
   using Lanes = std::experimental::native_simd<double>;
@@ -76,7 +78,6 @@ class ActiveObstacles {
   std::vector<ObstacleIndex> list_;
   ObstacleBoxes boxes_;                  ///< by slot
   std::vector<std::uint8_t> is_active_;  ///< by obstacle
-  std::uint32_t recent_ = kBounds;       ///< the slot that blocked the last leg, or kBounds
 };
 
 }  // namespace regista::graph

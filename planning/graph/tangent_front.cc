@@ -162,7 +162,8 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
                        kInfinite_m,
                        index,
                        leg.state,
-                       first_here});
+                       first_here,
+                       {}});
   first_here = arrival;
   make_departures(arrival);
   depart(arrival, goal_, 1.0, kGoalState);
@@ -205,7 +206,7 @@ void TangentFront::depart_to_slot(ArrivalIndex index, State slot) {
 }
 
 void TangentFront::depart(ArrivalIndex index, const Body& to, double to_side, State state) {
-  const Arrival& arrival = arrivals_[index];
+  Arrival& arrival = arrivals_[index];
   const bool is_start = arrival.state == kStartState;
   const Body& from = is_start ? start_ : active_[arrival.state / 2].body;
   const double side = is_start ? 1.0 : side_of(arrival.state);
@@ -214,14 +215,14 @@ void TangentFront::depart(ArrivalIndex index, const Body& to, double to_side, St
   for_tangents(from, side, to, to_side, arrival.departure.window, [&](const Tangent& tangent) {
     if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
     if (!active_.are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along}, arrival.state / 2,
-                              state / 2))
+                              state / 2, arrival.occluders))
       return;
     const double along_m = is_start ? 0.0 : travel_m(from, legs_[arrival.leg].to, tangent.from, side);
     const double cost = arrival.departure.cost_m + along_m + tangent.length_m;
     const double estimate_m = cost + (goal_.corners[0] - tangent.to.point).norm();
     enqueue({estimate_m, static_cast<LegIndex>(legs_.size()), false});
-    legs_.push_back({tangent.from, tangent.to, tangent.along, cost, arrival.leg, state,
-                     static_cast<std::uint32_t>(active_.size())});
+    legs_.push_back(
+        {tangent.from, tangent.to, tangent.along, cost, index, state, static_cast<std::uint32_t>(active_.size())});
   });
 }
 
@@ -229,11 +230,12 @@ void TangentFront::depart(ArrivalIndex index, const Body& to, double to_side, St
 bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
   const ObstacleField& field = graph.field();
   if (!is_inside(leg.to.point, field.bounds())) return false;
-  const State from = legs_[leg.parent].state / 2;
+  Arrival& begin = arrivals_[leg.parent];
+  const State from = begin.state / 2;
   const State to = leg.state / 2;
   ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
   const bool is_news = leg.free_of < active_.size();
-  if (is_news && !active_.are_clear_of(field, motion, from, to)) return false;
+  if (is_news && !active_.are_clear_of(field, motion, from, to, begin.occluders)) return false;
   // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
   motion.left_out = left_out_bit(active_.obstacle_at(from)) | left_out_bit(active_.obstacle_at(to));
@@ -288,7 +290,7 @@ void TangentFront::activate_pending(SharedGraph& graph) {
 
 void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
   chain_.clear();
-  for (LegIndex leg = last_; leg != kStart; leg = legs_[leg].parent) chain_.push_back(leg);
+  for (LegIndex leg = last_; leg != kStart; leg = arrivals_[legs_[leg].parent].leg) chain_.push_back(leg);
   path.clear();
   path.push_back(query_.start);
   for (std::size_t i = chain_.size(); i-- > 0;) {

@@ -49,7 +49,7 @@ class TangentFront {
     Place from, to;
     Vec2 along = Vec2::Zero();  ///< unit
     double cost = 0.0;          ///< length from the start to the leg's end
-    LegIndex parent = 0;
+    ArrivalIndex parent = 0;    ///< where it begins
     State state = 0;            ///< where it arrives
     std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
   };
@@ -65,6 +65,7 @@ class TangentFront {
     LegIndex leg = 0;
     State state = 0;
     ArrivalIndex next_here = 0;  ///< another arrival at this state
+    Occluders occluders;         ///< of its departures
   };
   struct Queued {
     double estimate;  ///< no way that goes on from here is shorter; metres
