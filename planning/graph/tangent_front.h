@@ -37,6 +37,9 @@ class TangentFront {
   /// Exact length of the way to the goal, arcs as arcs. Metres.
   double length_m() const { return length_m_; }
 
+  /// What the last search has cost.
+  std::size_t legs_made() const { return legs_.size(); }
+
   /// Obstacles the last search went round, or tried to, in the order in which they became active.
   std::span<const ObstacleIndex> active() const { return active_.list(); }
 
