@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planning/graph/active_obstacles.h"
+#include "planning/graph/search_queue.h"
 #include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/graph/tangents.h"
@@ -48,6 +49,14 @@ class TangentFront {
   using ArrivalIndex = std::uint32_t;
   using State = std::uint32_t;  ///< a slot and a side, or one of the ends
 
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr State kStartState = kNone - 1;
+  static constexpr State kGoalState = kNone - 2;
+  static constexpr std::uint32_t kStart = 0;  ///< the first leg, which has no length, and its arrival
+  static constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
+
+  static double side_of(State state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
+
   struct Leg {
     Place from, to;
     Vec2 along = Vec2::Zero();  ///< unit
@@ -70,14 +79,9 @@ class TangentFront {
     ArrivalIndex next_here = 0;  ///< another arrival at this state
     Occluders occluders;         ///< of its departures
   };
-  struct Queued {
-    double estimate;  ///< no way that goes on from here is shorter; metres
-    std::uint32_t index;
-    bool is_arrival;  ///< of an arrival, whose departures have not all been made; else of a leg
-  };
 
   bool expand(SharedGraph& graph, LegIndex leg);
-  Departures window_of(const Body& body, const Leg& leg, double reach, double order) const;
+  static Departures window_of(const Body& body, const Leg& leg, double reach, double order);
   void make_departures(ArrivalIndex arrival);
   void depart_to_slot(ArrivalIndex arrival, State slot);
   void depart(ArrivalIndex arrival, const Body& to, double to_side, State state);
@@ -87,10 +91,6 @@ class TangentFront {
   void activate(SharedGraph& graph, ObstacleIndex obstacle);
   void activate_pending(SharedGraph& graph);
 
-  void enqueue(const Queued& queued);
-  Queued dequeue();
-  static bool later(const Queued& a, const Queued& b);
-
   Query query_;  ///< of the search that runs
   const ObstacleField* field_ = nullptr;
   Body start_, goal_;
@@ -98,7 +98,7 @@ class TangentFront {
   std::vector<ArrivalIndex> first_here_;  ///< by state: of a list of arrivals
   std::vector<Leg> legs_;                 ///< the first is the start
   std::vector<Arrival> arrivals_;         ///< the first is the start
-  std::vector<Queued> queue_;             ///< a heap, least estimate first
+  SearchQueue queue_;
   std::vector<ObstacleIndex> pending_;
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
