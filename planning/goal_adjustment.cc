@@ -121,7 +121,7 @@ bool GoalAdjustment::try_deepest() {
   return false;
 }
 
-/// Nothing of its outline is free: a goal's walls lie in its defence area.
+/// Nothing of its outline is free: a goal's walls lie in its defence area. (A way out may have to graze one, though.)
 bool GoalAdjustment::is_held(ObstacleIndex obstacle) const {
   return std::any_of(covering_.begin(), covering_.end(), [&](ObstacleIndex i) {
     return i != obstacle && surely_holds(field_->obstacles()[i], field_->obstacles()[obstacle]) &&
@@ -134,7 +134,7 @@ bool GoalAdjustment::is_held(ObstacleIndex obstacle) const {
 bool GoalAdjustment::try_within(double radius_m, bool with_rays) {
   order_.clear();
   field_->maybe_within(from_, radius_m, [&](ObstacleIndex i) {
-    if (is_ignored(i, ignored_) || is_held(i)) return;
+    if (is_ignored(i, ignored_) || (is_border(i) && is_held(i))) return;
     const double distance_m = std::abs(clearance(from_, field_->obstacles()[i]));
     if (distance_m <= radius_m) order_.emplace_back(distance_m, i);
   });

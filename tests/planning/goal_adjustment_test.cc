@@ -125,6 +125,17 @@ TEST_CASE("the way out may graze an obstacle in its way") {
   CHECK((out - start).norm() < 1.9);
 }
 
+TEST_CASE("the way out may graze an obstacle that lies all within what covers the start") {
+  // The disc touches the start from below and a little to the right: straight to the right, the nearest side, it is in
+  // the way by a hair.
+  const Vec2 start(0.9, 0);
+  const Vec2 downwards = Vec2(0.1, -1).normalized();
+  const ObstacleField field({{9, 9}}, {rounded_rectangle({-1, -1}, {1, 1}, 0.1), disc(start + 0.05 * downwards, 0.05)});
+  const Vec2 out = *way_out(field, start);
+  CHECK(is_free(start, out, field.obstacles()[1]));
+  CHECK((out - Vec2(1.1, 0.02)).norm() < 1e-7);
+}
+
 TEST_CASE("no free sample is nearer than the nearest free point") {
   std::mt19937_64 random(6);
   int moved = 0;
@@ -172,7 +183,7 @@ TEST_CASE("in a crowd the way out is the nearest of all places there are, or the
   std::mt19937_64 random(8);
   int found_some = 0;
   int found_none = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     PlanRequest request;
     request.start = {uniform(random, -0.9, 0.9), i % 2 == 0 ? 0.8 + uniform(random, 0.0, 0.01) : 0.7};
     const ObstacleField field = crowd_around(random, request.start, static_cast<std::size_t>(4 + i % 10));
@@ -189,8 +200,8 @@ TEST_CASE("in a crowd the way out is the nearest of all places there are, or the
     if (found) CHECK((*found - request.start).norm() == Approx(*nearest_m).margin(1e-9));
     ++(found ? found_some : found_none);
   }
-  CHECK(found_some > 200);
-  CHECK(found_none > 50);
+  CHECK(found_some > 300);
+  CHECK(found_none > 200);
 }
 
 TEST_CASE("in a crowd the nearest free point is the nearest of all places there are") {
