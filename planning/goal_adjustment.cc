@@ -35,21 +35,23 @@ std::optional<Vec2> GoalAdjustment::way_out(const ObstacleField& field, const Ve
   return nearest_on_outlines();
 }
 
-/// The nearest admitted point lies on one of the outlines of obstacles and bounds as the projection of from_, or where
-/// two of them meet (or, for a way out, where one meets a straight line that grazes another).
+/// The nearest admitted point lies on a border (see is_border) as the projection of from_, or where the border meets
+/// another outline (or, for a way out, a straight line that grazes an obstacle).
 std::optional<Vec2> GoalAdjustment::nearest_on_outlines() {
   best_m_ = shadowed_m_ = std::numeric_limits<double>::infinity();
   best_.reset();
+  nearest_.clear();
   find_covering();
   if (!try_deepest()) {
-    const double everything_m = 2.0 * (field_->bounds().half_extent_m.norm() + from_.norm());
+    const double all_m = farthest_border_m();
     constexpr double kBeyond_m = 0.5;  // two robots' radii and as much again
     double radius_m = deepest_m_ + kBeyond_m;
-    while (!try_within(radius_m, false) && radius_m < everything_m) radius_m *= 4.0;
+    const auto try_all = [&](bool with_rays) {
+      while (!try_within(radius_m, with_rays) && radius_m < all_m) radius_m = is_way_out_ ? all_m : 4.0 * radius_m;
+    };
+    try_all(false);
     // Where a shadow's border is nearest, following the outline into the shadow leads nearer still, to another point.
-    if (shadowed_m_ < best_m_) {
-      while (!try_within(radius_m, true) && radius_m < everything_m) radius_m *= 4.0;
-    }
+    if (shadowed_m_ < best_m_) try_all(true);
   }
   if (best_) best_ = clamped(*best_, field_->bounds());
   return best_;
@@ -65,11 +67,34 @@ void GoalAdjustment::find_covering() {
   std::sort(crossed_.begin(), crossed_.end());
 }
 
+/// A way out ends as soon as it has left all that covers the start: on one of these outlines, however many obstacles
+/// stand around. The nearest free point may lie on any.
+bool GoalAdjustment::is_border(ObstacleIndex obstacle) const {
+  return !is_way_out_ || std::find(covering_.begin(), covering_.end(), obstacle) != covering_.end();
+}
+
+double GoalAdjustment::farthest_border_m() const {
+  if (!is_way_out_) return farthest_m(from_, outline_of(field_->bounds()));
+  double all_m = farthest_m(from_, entry_of(field_->bounds(), from_));
+  for (const ObstacleIndex i : covering_) {
+    all_m = std::max(all_m, farthest_m(from_, outline_of(field_->obstacles()[i])));
+  }
+  return all_m;
+}
+
 bool GoalAdjustment::admits(const Vec2& candidate, double distance_m) {
-  if (!field_->is_free(candidate, ignored_)) return false;
-  if (!is_way_out_ || !field_->first_blocker(from_, candidate, crossed_)) return true;
-  shadowed_m_ = std::min(shadowed_m_, distance_m);
+  if (!is_way_out_) return field_->is_free(candidate, ignored_);
+  const auto covers = [&](ObstacleIndex i) { return !is_free(candidate, candidate, field_->obstacles()[i]); };
+  if (!is_inside(candidate, field_->bounds()) || std::any_of(covering_.begin(), covering_.end(), covers)) return false;
+  if (!is_in_shadow(candidate)) return field_->is_free(candidate, ignored_);
+  if (distance_m < shadowed_m_ && field_->is_free(candidate, ignored_)) shadowed_m_ = distance_m;
   return false;
+}
+
+/// Of a start without a way out all candidates are tried; what stands right at it blocks most of them.
+bool GoalAdjustment::is_in_shadow(const Vec2& candidate) const {
+  const auto blocks = [&](ObstacleIndex i) { return !is_free(from_, candidate, field_->obstacles()[i]); };
+  return std::any_of(nearest_.begin(), nearest_.end(), blocks) || field_->first_blocker(from_, candidate, crossed_);
 }
 
 /// Nothing is nearer than the boundary of what covers the point deepest; mostly its nearest point is free.
@@ -96,7 +121,7 @@ bool GoalAdjustment::try_deepest() {
   return false;
 }
 
-/// Nothing of its outline is free: a goal's walls lie in its defence area.
+/// Nothing of its outline is free: a goal's walls lie in its defence area. (A way out may have to graze one, though.)
 bool GoalAdjustment::is_held(ObstacleIndex obstacle) const {
   return std::any_of(covering_.begin(), covering_.end(), [&](ObstacleIndex i) {
     return i != obstacle && surely_holds(field_->obstacles()[i], field_->obstacles()[obstacle]) &&
@@ -109,27 +134,40 @@ bool GoalAdjustment::is_held(ObstacleIndex obstacle) const {
 bool GoalAdjustment::try_within(double radius_m, bool with_rays) {
   order_.clear();
   field_->maybe_within(from_, radius_m, [&](ObstacleIndex i) {
-    if (is_ignored(i, ignored_) || is_held(i)) return;
+    if (is_ignored(i, ignored_) || (is_border(i) && is_held(i))) return;
     const double distance_m = std::abs(clearance(from_, field_->obstacles()[i]));
     if (distance_m <= radius_m) order_.emplace_back(distance_m, i);
   });
   std::sort(order_.begin(), order_.end());
+  find_nearest();
   added_.clear();
-  add(outline_of(field_->bounds()));
+  borders_.clear();
+  add(outline_of(field_->bounds()), !is_way_out_);
+  if (is_way_out_) add(entry_of(field_->bounds(), from_), true);
   for (const auto& [distance_m, index] : order_) {
     if (distance_m > best_m_) break;
     const Outline outline = outline_of(field_->obstacles()[index]);
-    if (with_rays) add_rays(outline);
-    add(outline);
+    const bool border = is_border(index);
+    if (with_rays && !border) add_rays(outline);
+    add(outline, border);
   }
   return best_m_ <= radius_m;
 }
 
-void GoalAdjustment::add(const Outline& outline) {
+void GoalAdjustment::find_nearest() {
+  constexpr std::size_t kNearest = 8;  // as many as stand around a robot
+  nearest_.clear();
+  for (std::size_t i = 0; i < order_.size() && nearest_.size() < kNearest; ++i) {
+    if (!is_border(order_[i].second)) nearest_.push_back(order_[i].second);
+  }
+}
+
+void GoalAdjustment::add(const Outline& outline, bool is_border) {
   candidates_.clear();
-  append_projections(from_, outline, candidates_);
-  for (const Outline& other : added_) append_intersections(outline, other, candidates_);
+  if (is_border) append_projections(from_, outline, candidates_);
+  for (const Outline& other : is_border ? added_ : borders_) append_intersections(outline, other, candidates_);
   added_.push_back(outline);
+  if (is_border) borders_.push_back(outline);
   try_candidates();
 }
 
@@ -137,12 +175,7 @@ void GoalAdjustment::add_rays(const Outline& outline) {
   rays_.clear();
   const double length_m = 2.0 * (field_->bounds().half_extent_m.norm() + from_.norm());
   append_tangents(from_, outline, length_m, rays_);
-  candidates_.clear();
-  for (const Outline& ray : rays_) {
-    for (const Outline& other : added_) append_intersections(ray, other, candidates_);
-    added_.push_back(ray);
-  }
-  try_candidates();
+  for (const Outline& ray : rays_) add(ray, false);
 }
 
 void GoalAdjustment::try_candidates() {

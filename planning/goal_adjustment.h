@@ -28,11 +28,15 @@ class GoalAdjustment {
  private:
   std::optional<Vec2> nearest_on_outlines();
   bool admits(const Vec2& candidate, double distance_m);
+  bool is_in_shadow(const Vec2& candidate) const;
+  void find_nearest();
   void find_covering();
+  bool is_border(ObstacleIndex obstacle) const;
+  double farthest_border_m() const;
   bool is_held(ObstacleIndex obstacle) const;
   bool try_deepest();
   bool try_within(double radius_m, bool with_rays);
-  void add(const Outline& outline);
+  void add(const Outline& outline, bool is_border);
   void add_rays(const Outline& outline);
   void try_candidates();
 
@@ -47,7 +51,9 @@ class GoalAdjustment {
   std::vector<ObstacleIndex> covering_;
   std::vector<std::size_t> crossed_;  ///< what a way out may cross: ignored and covering obstacles, sorted
   std::vector<std::pair<double, ObstacleIndex>> order_;
+  std::vector<ObstacleIndex> nearest_;  ///< of those that a way out may not cross
   std::vector<Outline> added_;
+  std::vector<Outline> borders_;  ///< those of the added ones on which the answer may lie
   std::vector<Outline> rays_;
   std::vector<Vec2> candidates_;
 };

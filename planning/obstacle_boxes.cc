@@ -20,14 +20,6 @@ Vec2 reach_of(const Obstacle& obstacle) {
   return obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs()) + Vec2::Constant(obstacle.radius_m);
 }
 
-/// The lower 16 bits, each moved to twice its place.
-std::uint64_t spread(std::uint64_t bits) {
-  bits = (bits | (bits << 8)) & 0x00FF00FFU;
-  bits = (bits | (bits << 4)) & 0x0F0F0F0FU;
-  bits = (bits | (bits << 2)) & 0x33333333U;
-  return (bits | (bits << 1)) & 0x55555555U;
-}
-
 }  // namespace
 
 void ObstacleBoxes::Block::set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m) {
@@ -123,24 +115,18 @@ void ObstacleBoxes::assign(std::span<const Obstacle> obstacles) {
   for (std::size_t i = obstacles.size(); i < blocks_.size() * kLanes; ++i) blocks_[i / kLanes].pad(i % kLanes);
 }
 
-/// By the place of the centres on a Z-order curve (Morton), so that neighbours in the list are neighbours in the field.
+/// Neighbours in the list are to be neighbours in the field.
 void ObstacleBoxes::sort_into_groups(std::span<const Obstacle> obstacles) {
-  constexpr double kCells = 65535.0;
-  const double scale = extent_m_ > 0.0 ? 0.5 * kCells / extent_m_ : 0.0;
-  order_.clear();
-  for (ObstacleIndex i = 0; i < obstacles.size(); ++i) {
-    const Vec2 place = (middle_of(obstacles[i]) + Vec2::Constant(extent_m_)) * scale;
-    order_.emplace_back(
-        spread(static_cast<std::uint64_t>(place.x())) | (spread(static_cast<std::uint64_t>(place.y())) << 1), i);
-  }
-  std::sort(order_.begin(), order_.end());
-  const std::size_t groups = (order_.size() + kGroupSize - 1) / kGroupSize;
+  order_.clear(extent_m_);
+  for (const Obstacle& obstacle : obstacles) order_.add(middle_of(obstacle));
+  const std::span<const ZOrder::Entry> order = order_.sort();
+  const std::size_t groups = (order.size() + kGroupSize - 1) / kGroupSize;
   groups_.resize((groups + kLanes - 1) / kLanes);
   for (std::size_t group = 0; group < groups; ++group) {
     Vec2 low = Vec2::Constant(extent_m_);
     Vec2 high = -low;
-    for (std::size_t i = group * kGroupSize; i < std::min((group + 1) * kGroupSize, order_.size()); ++i) {
-      index_[i] = order_[i].second;
+    for (std::size_t i = group * kGroupSize; i < std::min((group + 1) * kGroupSize, order.size()); ++i) {
+      index_[i] = order[i].index;
       const Obstacle& obstacle = obstacles[index_[i]];
       const Vec2 reach = half_of(obstacle) + Vec2::Constant(obstacle.radius_m);
       low = low.cwiseMin(middle_of(obstacle) - reach);

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <experimental/simd>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "planning/obstacle.h"
+#include "planning/z_order.h"
 
 namespace regista {
 
@@ -87,10 +87,10 @@ class ObstacleBoxes {
   void sort_into_groups(std::span<const Obstacle> obstacles);
 
   std::vector<Block> blocks_;
-  std::vector<Block> groups_;                                   ///< a box for kGroupSize boxes; empty in a small field
-  std::vector<ObstacleIndex> index_;                            ///< of the boxes' obstacles
-  std::vector<std::pair<std::uint64_t, ObstacleIndex>> order_;  ///< scratch
-  double extent_m_ = 0.0;                                       ///< no coordinate is larger
+  std::vector<Block> groups_;         ///< a box for kGroupSize boxes; empty in a small field
+  std::vector<ObstacleIndex> index_;  ///< of the boxes' obstacles
+  ZOrder order_;                      ///< scratch
+  double extent_m_ = 0.0;             ///< no coordinate is larger
 };
 
 template <class Visit>

@@ -96,6 +96,31 @@ Outline outline_of(const Obstacle& obstacle) {
 
 Outline outline_of(const Bounds& bounds) { return rectangle_outline(-bounds.half_extent_m, bounds.half_extent_m, 0.0); }
 
+Outline entry_of(const Bounds& bounds, const Vec2& point) {
+  Outline entry;
+  const Vec2& half = bounds.half_extent_m;
+  for (const Eigen::Index axis : {0, 1}) {
+    if (std::abs(point[axis]) <= half[axis] + kTouch_m) continue;
+    Vec2 end = half;
+    end[axis] = std::copysign(half[axis], point[axis]);
+    Vec2 other_end = end;
+    other_end[1 - axis] = -half[1 - axis];
+    add_side(entry, other_end, end);
+  }
+  return entry;
+}
+
+double farthest_m(const Vec2& point, const Outline& outline) {
+  double farthest_m = 0.0;
+  for (const Circle& circle : outline.circles()) {
+    farthest_m = std::max(farthest_m, (circle.centre - point).norm() + circle.radius_m);
+  }
+  for (const Side& side : outline.sides()) {
+    farthest_m = std::max({farthest_m, (side.a - point).norm(), (side.b - point).norm()});
+  }
+  return farthest_m;
+}
+
 void append_projections(const Vec2& point, const Outline& outline, std::vector<Vec2>& out) {
   for (const Circle& circle : outline.circles()) {
     const Vec2 outwards = point - circle.centre;

@@ -32,6 +32,13 @@ struct Outline {
 Outline outline_of(const Obstacle& obstacle);
 Outline outline_of(const Bounds& bounds);
 
+/// The sides through which a straight leg from a point outside comes into the bounds: one or two; none for a point
+/// inside.
+Outline entry_of(const Bounds& bounds, const Vec2& point);
+
+/// No point of the outline is farther from `point`. Metres.
+double farthest_m(const Vec2& point, const Outline& outline);
+
 /// Appends, for each circle and side, the point nearest to `point`; for a circle around `point` itself four of them.
 void append_projections(const Vec2& point, const Outline& outline, std::vector<Vec2>& out);
 

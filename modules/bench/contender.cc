@@ -20,11 +20,11 @@ bool is_registered(std::string_view planner) {
 }
 
 Shot plan_once(Contender& contender, const World& world, PlanRequest request, double budget_us) {
-  std::vector<Obstacle> obstacles = world.obstacles;
+  const std::vector<Obstacle> obstacles = world.obstacles;  // as if just made
   contender.graph.clear();
   Shot shot;
   const SingleShot whole;
-  contender.graph.reset(ObstacleField(world.bounds, std::move(obstacles)));
+  contender.graph.reset(world.bounds, obstacles);
   const SingleShot planning;
   const std::function<bool()> out_of_time = [&planning, budget_us] { return planning.us() >= budget_us; };
   if (budget_us > 0.0) request.budget.out_of_time = &out_of_time;

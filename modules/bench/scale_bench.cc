@@ -26,12 +26,12 @@ std::mt19937_64 Scale::random_of(ScalePart part, std::size_t count, std::uint64_
 
 Scale::Frame Scale::plan_frame(Contender& contender, const TeamScene& scene, double left_s, ScaleSample& sample) {
   Frame frame;
-  std::vector<Obstacle> obstacles = scene.world.obstacles;
+  const std::vector<Obstacle> obstacles = scene.world.obstacles;  // as if just made
   answers_.resize(std::max(answers_.size(), scene.requests.size()));
   frame.each_us.reserve(scene.requests.size());
   contender.graph.clear();
   const SingleShot since;
-  contender.graph.reset(ObstacleField(scene.world.bounds, std::move(obstacles)));
+  contender.graph.reset(scene.world.bounds, obstacles);
   frame.set_up_us = since.us();
   frame.total_us = frame.set_up_us;
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {

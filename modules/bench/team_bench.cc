@@ -16,11 +16,11 @@ struct Sides {
 
 /// One field and one graph, then all robots.
 double plan_shared(Sides& sides, const TeamScene& scene) {
-  std::vector<Obstacle> obstacles = scene.world.obstacles;
+  const std::vector<Obstacle> obstacles = scene.world.obstacles;  // as if just made
   sides.shared_answers.resize(scene.requests.size());
   sides.shared.graph.clear();
   const SingleShot whole;
-  sides.shared.graph.reset(ObstacleField(scene.world.bounds, std::move(obstacles)));
+  sides.shared.graph.reset(scene.world.bounds, obstacles);
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {
     sides.shared.planner->plan(sides.shared.graph, scene.requests[i], sides.shared_answers[i]);
   }
@@ -29,12 +29,12 @@ double plan_shared(Sides& sides, const TeamScene& scene) {
 
 /// Field and graph anew for every robot.
 double plan_separately(Sides& sides, const TeamScene& scene) {
-  std::vector<std::vector<Obstacle>> obstacles(scene.requests.size(), scene.world.obstacles);
+  const std::vector<Obstacle> obstacles = scene.world.obstacles;
   sides.separate_answers.resize(scene.requests.size());
   const SingleShot whole;
   for (std::size_t i = 0; i < scene.requests.size(); ++i) {
     sides.separate.graph.clear();
-    sides.separate.graph.reset(ObstacleField(scene.world.bounds, std::move(obstacles[i])));
+    sides.separate.graph.reset(scene.world.bounds, obstacles);
     sides.separate.planner->plan(sides.separate.graph, scene.requests[i], sides.separate_answers[i]);
   }
   return whole.us();

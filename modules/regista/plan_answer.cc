@@ -53,10 +53,9 @@ QueryAnswer answer_query(Planner& planner, const PlanQuery& query, int repeat,
   const std::function<bool()> out_of_time = [&] { return stopwatch() >= deadline_ns; };
   graph::SharedGraph graph;
   for (int round = 0; round < repeat; ++round) {
-    std::vector<Obstacle> obstacles = query.obstacles;
     graph.clear();
     const std::int64_t began_ns = stopwatch();
-    graph.reset(ObstacleField(query.bounds, std::move(obstacles)));
+    graph.reset(query.bounds, query.obstacles);
     std::int64_t robot_began_ns = stopwatch();
     for (std::size_t i = 0; i < requests.size(); ++i) {
       if (query.budget_us) {

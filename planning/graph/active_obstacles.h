@@ -2,11 +2,14 @@
 // against all of them.
 #pragma once
 
+#include <experimental/simd>
 #include <span>
 #include <vector>
 
 #include "planning/graph/body.h"
 #include "planning/graph/contacts.h"
+#include "planning/graph/occluders.h"
+#include "planning/graph/tangents.h"
 #include "planning/obstacle_field.h"
 
 namespace regista::graph {
@@ -20,9 +23,13 @@ class ActiveObstacles {
   struct Slot {
     Body body;
     ObstacleIndex obstacle = 0;
-    Vec2 middle = Vec2::Zero();
-    double extent_m = 0.0;  ///< no point of it is farther from the middle
-    double beyond_m = 0.0;  ///< nor nearer to the goal
+  };
+
+  /// Where ways go on from.
+  struct Departure {
+    Vec2 point = Vec2::Zero();
+    double cost_m = 0.0;  ///< of the way to the point
+    Departures window;
   };
 
   /// For a field of so many obstacles.
@@ -41,16 +48,36 @@ class ActiveObstacles {
   /// By slot.
   std::span<const ObstacleIndex> list() const { return list_; }
 
+  /// By slot: no way to the goal that departs there and touches that obstacle next is shorter, metres; infinite where
+  /// no leg leads to it. Valid until the next call.
+  std::span<const double> least_ways_m(const Departure& departure);
+
+  /// The same for one, to the bit.
+  double least_way_m(const Departure& departure, std::uint32_t slot) const;
+
   /// None of them blocks the motion, which touches those of slots `from` and `to` (which may be no slots) and does not
-  /// cross them.
-  bool are_clear_of(const ObstacleField& field, ObstacleBoxes::Motion motion, std::uint32_t from, std::uint32_t to);
+  /// cross them. What does becomes one of the occluders of such motions.
+  bool are_clear_of(const ObstacleField& field, const ObstacleBoxes::Motion& motion, std::uint32_t from,
+                    std::uint32_t to, Occluders& occluders) const;
 
  private:
+  using Lanes = std::experimental::native_simd<double>;
+  static constexpr std::size_t kLanes = Lanes::size();
+
+  /// Discs around as many slots as there are lanes.
+  struct Discs {
+    std::array<double, kLanes> x{}, y{};   ///< middle
+    std::array<double, kLanes> extent{};   ///< no point of the obstacle is farther from it
+    std::array<double, kLanes> to_goal{};  ///< from the middle to the goal, less two extents
+  };
+  static Lanes least_m(const Departure& departure, const Discs& discs);
+
   std::vector<Slot> slots_;
+  std::vector<Discs> discs_;          ///< by slot
+  std::vector<double> least_ways_m_;  ///< scratch
   std::vector<ObstacleIndex> list_;
   ObstacleBoxes boxes_;                  ///< by slot
   std::vector<std::uint8_t> is_active_;  ///< by obstacle
-  std::uint32_t recent_ = kBounds;       ///< the slot that blocked the last leg, or kBounds
 };
 
 }  // namespace regista::graph

@@ -1,17 +1,9 @@
 #include "planning/graph/tangent_front.h"
 
-#include <algorithm>
-#include <limits>
-
 #include "planning/graph/taut_path.h"
 
 namespace regista::graph {
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint32_t kStartState = kNone - 1;
-constexpr std::uint32_t kGoalState = kNone - 2;
-constexpr std::uint32_t kStart = 0;  // the first leg
 
 constexpr int kStepsPerTimeCheck = 64;
 
@@ -20,31 +12,17 @@ constexpr int kStepsPerTimeCheck = 64;
 constexpr int kLegsBeforeProof = 64;
 constexpr int kLegsWithoutHope = 192;
 
-/// A place counts as not beyond another (in order).
-constexpr double kSamePlace = 1e-9;
-
-/// Costs that differ by less are equal. Metres.
-constexpr double kRounding_m = 1e-12;
-
-/// To so many active obstacles it is cheaper to depart at once than to ask whether that is a detour.
-constexpr std::size_t kPutOffBeyond = 3;
-
-/// Half of a disc's boundary, in order. Where nothing cuts the disc, who goes on farther has gone the longer way round.
-constexpr double kHalfRound = 2.0;
-
-double side_of(std::uint32_t state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
-
 }  // namespace
 
 TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
   for (const int end = legs_tested_ + legs; legs_tested_ < end;) {
-    if (queue_.empty()) return Progress::no_way;
+    if (queue_.is_empty()) return Progress::no_way;
     if (++steps_ % kStepsPerTimeCheck == 0 && query_.budget.is_spent()) return Progress::no_time;
-    const Queued next = dequeue();
-    if (next.estimate > query_.length_max_m) return Progress::too_long;
-    if (next.slot != kItself) {
-      set_departures(legs_[next.leg]);
-      depart_to_slot(next.leg, next.slot);
+    const SearchQueue::Entry next = queue_.pop();
+    horizon_m_ = next.estimate_m;
+    if (next.estimate_m > query_.length_max_m) return Progress::too_long;
+    if (next.is_arrival) {
+      if (next.estimate_m == arrivals_[next.index].next_m) make_departures(next.index);
       continue;
     }
     ++legs_tested_;
@@ -52,19 +30,19 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
       is_separated_ = separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
     }
     if (is_separated_ && legs_tested_ >= kLegsWithoutHope) return Progress::no_way;
-    const Leg& leg = legs_[next.leg];
+    const Leg& leg = legs_[next.index];
     if (!is_open(graph, leg)) {
       activate_pending(graph);
       continue;
     }
     if (leg.state == kGoalState) {
       length_m_ = leg.cost;
-      last_ = next.leg;
+      last_ = next.index;
       return Progress::goal;
     }
-    const double to_goal_m = next.estimate - leg.cost;
-    if (expand(graph, next.leg) && to_goal_m < nearest_m_) {
-      last_ = next.leg;
+    const double to_goal_m = next.estimate_m - leg.cost;
+    if (expand(graph, next.index) && to_goal_m < nearest_m_) {
+      last_ = next.index;
       nearest_m_ = to_goal_m;
     }
     activate_pending(graph);
@@ -78,12 +56,11 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   start_ = body_of(query.start);
   goal_ = body_of(query.goal);
   active_.clear(graph.field().size());
-  expanded_here_.clear();
+  first_here_.clear();
   legs_.clear();
-  expanded_.clear();
+  arrivals_.clear();
   queue_.clear();
   pending_.clear();
-  departures_ = {};
   legs_tested_ = 0;
   steps_ = 0;
   horizon_m_ = 0.0;
@@ -93,9 +70,14 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   Leg start;
   start.to.point = query.start;
   start.state = kStartState;
-  start.reach = std::numeric_limits<double>::infinity();
   legs_.push_back(start);
-  expanded_.push_back(kStart);
+  Arrival at_start;
+  at_start.departure.point = query.start;
+  at_start.reach = kInfinite_m;
+  at_start.made_m = kInfinite_m;
+  at_start.next_m = kInfinite_m;
+  at_start.state = kStartState;
+  arrivals_.push_back(at_start);
   if (query.straight_blockers.empty()) {
     depart(kStart, goal_, 1.0, kGoalState);
   } else {
@@ -104,123 +86,16 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   }
 }
 
-bool TangentFront::later(const Queued& a, const Queued& b) {
-  if (a.estimate != b.estimate) return a.estimate > b.estimate;
-  return a.leg != b.leg ? a.leg > b.leg : a.slot > b.slot;
-}
-
-void TangentFront::enqueue(const Queued& queued) {
-  queue_.push_back(queued);
-  std::push_heap(queue_.begin(), queue_.end(), later);
-}
-
-TangentFront::Queued TangentFront::dequeue() {
-  const Queued first = queue_.front();
-  std::pop_heap(queue_.begin(), queue_.end(), later);
-  queue_.pop_back();
-  horizon_m_ = first.estimate;
-  return first;
-}
-
-/// Makes or puts off all departures from where the leg arrives; false when an earlier arrival stands for them.
-bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
-  Leg& leg = legs_[index];
-  const ActiveObstacles::Slot& slot = active_[leg.state / 2];
-  const double side = side_of(leg.state);
-  const std::span<const Cut> cuts = graph.contacts(slot.obstacle, slot.body).cuts;
-  LegIndex& here = expanded_here_[leg.state];
-  if (!cuts.empty() || here != kNone) leg.order = order_of(slot.body, leg.to);
-  for (LegIndex other = here; other != kNone; other = legs_[other].next_here) {
-    const Leg& earlier = legs_[other];
-    if (earlier.cost + travel_m(slot.body, earlier.to, leg.to, side) > leg.cost + kRounding_m) continue;
-    const double order = cuts.empty() ? order_of(slot.body, earlier.to) : earlier.order;
-    if (ahead(slot.body, order, leg.order, side) <= earlier.reach + kSamePlace) return false;
-  }
-  leg.reach = slot.body.period;
-  ObstacleIndex stopped_by = kBounds;
-  for (const Cut& cut : cuts) {
-    if (cut.other != kBounds && is_ignored(cut.other, query_.ignored)) continue;
-    const double distance = cut.is_whole ? 0.0 : ahead(slot.body, leg.order, side > 0.0 ? cut.from : cut.to, side);
-    if (distance >= leg.reach) continue;
-    leg.reach = distance;
-    stopped_by = cut.other;
-  }
-  if (leg.reach == slot.body.period && slot.body.count == 1) leg.reach = kHalfRound;
-  if (stopped_by != kBounds && !active_.contains(stopped_by)) pending_.push_back(stopped_by);
-  leg.next_here = here;
-  here = index;
-  expanded_.push_back(index);
-  set_departures(leg);
-  const auto slots = static_cast<State>(active_.size());
-  for (State other = 0; other < slots; ++other) consider(index, other);
-  depart(index, goal_, 1.0, kGoalState);
-  return true;
-}
-
-/// From the leg's end as far as its reach.
-void TangentFront::set_departures(const Leg& leg) {
-  departures_.is_narrow = false;
-  if (leg.state == kStartState || active_[leg.state / 2].body.count != 1) return;
-  constexpr double kSurely = 0.01;
-  const double side = side_of(leg.state);
-  if (leg.reach == kHalfRound) {
-    departures_ = {true, side, leg.to.normal, -leg.to.normal};
-  } else if (leg.reach <= kHalfRound - kSurely) {
-    departures_ = {true, side, leg.to.normal, disc_normal(leg.order + side * leg.reach)};
-  }
-}
-
-/// Makes the leg's departures to the slot, or, where going there is a detour, puts it off until nothing better is left.
-void TangentFront::consider(LegIndex index, State slot_index) {
-  constexpr double kDetour_m = 0.1;  // measured: of no effect on the time from 0.02 to 0.4
-  const Leg& leg = legs_[index];
-  const ActiveObstacles::Slot& slot = active_[slot_index];
-  const Vec2 apart = slot.middle - leg.to.point;
-  if (departures_.leave_out(apart, slot.extent_m)) return;
-  if (active_.size() > kPutOffBeyond) {
-    const double least_m = leg.cost + apart.norm() - slot.extent_m + slot.beyond_m;
-    if (least_m > horizon_m_ + kDetour_m) return enqueue({least_m, index, slot_index});
-  }
-  depart_to_slot(index, slot_index);
-}
-
-void TangentFront::depart_to_slot(LegIndex index, State slot) {
-  const Leg& leg = legs_[index];
-  if (leg.state != kStartState && leg.state / 2 == slot) return;
-  for (const State side : {0U, 1U}) depart(index, active_[slot].body, side_of(side), 2 * slot + side);
-}
-
-void TangentFront::depart(LegIndex index, const Body& to, double to_side, State state) {
-  const Leg& leg = legs_[index];
-  const bool is_start = leg.state == kStartState;
-  const Body& from = is_start ? start_ : active_[leg.state / 2].body;
-  const double side = is_start ? 1.0 : side_of(leg.state);
-  // Half way round, the departures say it all.
-  const bool is_cut = !is_start && leg.reach < from.period && leg.reach != kHalfRound;
-  for_tangents(from, side, to, to_side, departures_, [&](const Tangent& tangent) {
-    const Leg& arrival = legs_[index];
-    if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
-    if (!active_.are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along}, arrival.state / 2,
-                              state / 2))
-      return;
-    const double along_m = is_start ? 0.0 : travel_m(from, arrival.to, tangent.from, side);
-    const double cost = arrival.cost + along_m + tangent.length_m;
-    const double estimate_m = cost + (goal_.corners[0] - tangent.to.point).norm();
-    enqueue({estimate_m, static_cast<LegIndex>(legs_.size()), kItself});
-    legs_.push_back({tangent.from, tangent.to, tangent.along, cost, 0.0, 0.0, index, state, kNone,
-                     static_cast<std::uint32_t>(active_.size())});
-  });
-}
-
 /// Nothing blocks the leg; else what does is active or will be.
 bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
   const ObstacleField& field = graph.field();
   if (!is_inside(leg.to.point, field.bounds())) return false;
-  const State from = legs_[leg.parent].state / 2;
+  Arrival& begin = arrivals_[leg.parent];
+  const State from = begin.state / 2;
   const State to = leg.state / 2;
   ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
   const bool is_news = leg.free_of < active_.size();
-  if (is_news && !active_.are_clear_of(field, motion, from, to)) return false;
+  if (is_news && !active_.are_clear_of(field, motion, from, to, begin.occluders)) return false;
   // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
   motion.left_out = left_out_bit(active_.obstacle_at(from)) | left_out_bit(active_.obstacle_at(to));
@@ -252,11 +127,17 @@ void TangentFront::pend_deepest(const ObstacleField& field, const Vec2& from, co
 
 void TangentFront::activate(SharedGraph& graph, ObstacleIndex obstacle) {
   active_.add(graph.field(), obstacle, query_.goal);
-  expanded_here_.resize(2 * active_.size(), kNone);
+  first_here_.resize(2 * active_.size(), kNone);
   const auto slot = static_cast<State>(active_.size() - 1);
-  for (const LegIndex leg : expanded_) {
-    set_departures(legs_[leg]);
-    consider(leg, slot);
+  for (ArrivalIndex i = 0; i < arrivals_.size(); ++i) {
+    Arrival& arrival = arrivals_[i];
+    const double least_m = active_.least_way_m(arrival.departure, slot);
+    if (least_m <= arrival.made_m) {
+      if (least_m < kInfinite_m) depart_to_slot(i, slot);
+    } else if (least_m < arrival.next_m) {
+      arrival.next_m = least_m;
+      queue_.push({least_m, i, true});
+    }
   }
 }
 
@@ -269,7 +150,7 @@ void TangentFront::activate_pending(SharedGraph& graph) {
 
 void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
   chain_.clear();
-  for (LegIndex leg = last_; leg != kStart; leg = legs_[leg].parent) chain_.push_back(leg);
+  for (LegIndex leg = last_; leg != kStart; leg = arrivals_[legs_[leg].parent].leg) chain_.push_back(leg);
   path.clear();
   path.push_back(query_.start);
   for (std::size_t i = chain_.size(); i-- > 0;) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planning/graph/active_obstacles.h"
+#include "planning/graph/search_queue.h"
 #include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/graph/tangents.h"
@@ -37,60 +38,71 @@ class TangentFront {
   /// Exact length of the way to the goal, arcs as arcs. Metres.
   double length_m() const { return length_m_; }
 
+  /// What the last search has cost.
+  std::size_t legs_made() const { return legs_.size(); }
+
   /// Obstacles the last search went round, or tried to, in the order in which they became active.
   std::span<const ObstacleIndex> active() const { return active_.list(); }
 
  private:
   using LegIndex = std::uint32_t;
+  using ArrivalIndex = std::uint32_t;
   using State = std::uint32_t;  ///< a slot and a side, or one of the ends
+
+  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  static constexpr State kStartState = kNone - 1;
+  static constexpr State kGoalState = kNone - 2;
+  static constexpr std::uint32_t kStart = 0;  ///< the first leg, which has no length, and its arrival
+  static constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
+
+  static double side_of(State state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
 
   struct Leg {
     Place from, to;
     Vec2 along = Vec2::Zero();  ///< unit
     double cost = 0.0;          ///< length from the start to the leg's end
-    /// Once expanded: how far ahead (in order) a path can go on, and, where not all round, the order of the end.
-    double reach = 0.0;
-    double order = 0.0;
-    LegIndex parent = 0;
+    ArrivalIndex parent = 0;    ///< where it begins
     State state = 0;            ///< where it arrives
-    LegIndex next_here = 0;     ///< another expanded leg that arrives at this state
     std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
   };
-  struct Queued {
-    double estimate;  ///< no way that goes on from here is shorter; metres
-    LegIndex leg;
-    State slot;  ///< kItself, or the one to which the leg's departures have not been made yet
+  /// The end of a free leg, where ways go on.
+  struct Arrival {
+    ActiveObstacles::Departure departure;
+    double reach = 0.0;  ///< how far ahead (in order) a path can go on
+    double order = 0.0;  ///< of the leg's end, where it matters
+    /// Departures to obstacles have been made where no shorter way than this leads on over them; the others are queued
+    /// together, under the least of theirs (infinite for none).
+    double made_m = 0.0;
+    double next_m = 0.0;
+    LegIndex leg = 0;
+    State state = 0;
+    ArrivalIndex next_here = 0;  ///< another arrival at this state
+    Occluders occluders;         ///< of its departures
   };
-  static constexpr State kItself = std::numeric_limits<State>::max();
 
   bool expand(SharedGraph& graph, LegIndex leg);
-  void set_departures(const Leg& leg);
-  void consider(LegIndex leg, State slot);
-  void depart_to_slot(LegIndex leg, State slot);
-  void depart(LegIndex leg, const Body& to, double to_side, State state);
+  static Departures window_of(const Body& body, const Leg& leg, double reach, double order);
+  void make_departures(ArrivalIndex arrival);
+  void depart_to_slot(ArrivalIndex arrival, State slot);
+  void depart(ArrivalIndex arrival, const Body& to, double to_side, State state);
   bool is_open(SharedGraph& graph, const Leg& leg);
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
   void activate(SharedGraph& graph, ObstacleIndex obstacle);
   void activate_pending(SharedGraph& graph);
 
-  void enqueue(const Queued& queued);
-  Queued dequeue();
-  static bool later(const Queued& a, const Queued& b);
-
   Query query_;  ///< of the search that runs
   const ObstacleField* field_ = nullptr;
   Body start_, goal_;
   ActiveObstacles active_;
-  std::vector<LegIndex> expanded_here_;  ///< by state: the first of a list
-  std::vector<Leg> legs_;                ///< the first is the start
-  std::vector<LegIndex> expanded_;
-  std::vector<Queued> queue_;  ///< a heap, least estimate first
+  std::vector<ArrivalIndex> first_here_;  ///< by state: of a list of arrivals
+  std::vector<Leg> legs_;                 ///< the first is the start
+  std::vector<Arrival> arrivals_;         ///< the first is the start
+  SearchQueue queue_;
   std::vector<ObstacleIndex> pending_;
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
   Separation separation_;
-  Departures departures_;  ///< of the leg that is being expanded
   int legs_tested_ = 0;
   std::int64_t steps_ = 0;  ///< taken from the queue: legs, and departures that were put off
   double horizon_m_ = 0.0;  ///< estimate of what was last taken from the queue

@@ -9,8 +9,8 @@ namespace {
 using Progress = TangentFront::Progress;
 
 /// Few searches need more; until then the second front would only cost.
-constexpr int kLegsAlone = 256;
-constexpr int kLegsInTurn = 64;
+constexpr int kLegsAlone = 160;
+constexpr int kLegsInTurn = 32;
 
 }  // namespace
 
@@ -24,7 +24,7 @@ TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, s
     backward_.begin(graph, back);
   }
   while (progress == Progress::going_on) {
-    is_backward = !is_backward;
+    is_backward = backward_.legs_made() < forward_.legs_made();
     progress = (is_backward ? backward_ : forward_).advance(graph, kLegsInTurn);
   }
   if (progress == Progress::goal && is_backward) {

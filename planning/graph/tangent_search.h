@@ -7,8 +7,8 @@
 namespace regista::graph {
 
 /// A front from the start; where that takes long, the goal may lie in a dead end that a front from the goal leaves
-/// quickly: then both take turns, and the first to end has the answer. The answer depends on field and query alone.
-/// Only scratch memory is kept between two searches.
+/// quickly: then the one that has cost less goes on, and the first to end has the answer. The answer depends on field
+/// and query alone. Only scratch memory is kept between two searches.
 class TangentSearch {
  public:
   enum class End { goal, no_way, no_time, too_long };

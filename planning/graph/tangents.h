@@ -36,9 +36,6 @@ struct Departures {
     return !is_narrow ||
            (side * cross(begin, normal) >= -kRounding * scale && side * cross(normal, end) >= -kRounding * scale);
   }
-
-  /// All of what is that far from where they begin, within a circle, lies beyond the tangent there: no leg leads to it.
-  bool leave_out(const Vec2& apart, double radius_m) const { return is_narrow && begin.dot(apart) > radius_m; }
 };
 
 /// Calls visit(tangent) for each leg that leaves `from`, gone round on
