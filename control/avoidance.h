@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "control/control_params.h"
+#include "control/safety/opponent.h"
 #include "control/safety/safety_search.h"
 #include "control/velocity_choice.h"
 

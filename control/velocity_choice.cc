@@ -38,17 +38,21 @@ class Judge {
     for (const Neighbour& neighbour : neighbours_) {
       const double contact_s = time_to_contact(robot_.position_m, velocity_mps, neighbour, lasts_s_);
       if (contact_s >= until_s_) continue;
-      const bool is_foul = neighbour.is_opponent && is_our_foul(velocity_mps, neighbour, contact_s);
-      const double horizon_s = is_foul ? params_.foul_horizon_s : params_.horizon_s;
-      if (contact_s >= horizon_s) continue;
-      const double weight_m = is_foul ? params_.foul_weight_m : params_.weight_m;
-      danger = std::max(danger, weight_m * (1.0 / std::max(contact_s, kSoonest_s) - 1.0 / horizon_s));
+      danger = std::max(danger, danger_of(contact_s, params_.weight_m, params_.horizon_s));
+      if (neighbour.is_opponent && contact_s < params_.foul_horizon_s &&
+          is_our_foul(velocity_mps, neighbour, contact_s)) {
+        danger = std::max(danger, danger_of(contact_s, params_.foul_weight_m, params_.foul_horizon_s));
+      }
       if (danger > bearable) break;
     }
     return danger;
   }
 
  private:
+  static double danger_of(double contact_s, double weight_m, double horizon_s) {
+    return contact_s < horizon_s ? weight_m * (1.0 / std::max(contact_s, kSoonest_s) - 1.0 / horizon_s) : 0.0;
+  }
+
   bool is_our_foul(const Vec2& velocity_mps, const Neighbour& neighbour, double contact_s) const {
     const Moved then = moved(neighbour, contact_s, lasts_s_);
     const Vec2 apart = then.position_m - robot_.position_m - contact_s * velocity_mps;

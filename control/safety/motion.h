@@ -42,8 +42,8 @@ class Motion {
   /// The same, and at the end the robot stands, whatever rounding says.
   void then_stand(const Vec2& acceleration_mps2, double duration_s);
 
-  /// The last phase's velocity is another one from its beginning on.
-  void then_hit(const Vec2& change_mps) { phases_[count_ - 1].velocity_mps += change_mps; }
+  /// Adds change_mps to the last phase's velocity, from its beginning on.
+  void hit(const Vec2& change_mps) { phases_[count_ - 1].velocity_mps += change_mps; }
 
   std::span<const Phase> phases() const { return {phases_.data(), count_}; }
   /// When the last phase begins, seconds.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "control/safety/motion.h"
+#include "control/safety/opponent.h"
 #include "control/safety/opponent_touches.h"
 #include "control/safety/safety_params.h"
 #include "world_model/types/robot_limits.h"
@@ -15,7 +16,7 @@ namespace regista {
 enum class Care {
   half,       ///< with half of the margins
   margins,    ///< with all of them
-  any_change  ///< and also of where they are if their velocities stay as they are
+  steady_too  ///< and also of where they are if their velocities stay as they are; that margin does not grow
 };
 
 class OpponentModels {
@@ -26,7 +27,7 @@ class OpponentModels {
   /// Of all opponents that brake from now on, for ever; with the margins for what they may do within a period.
   bool is_clear_of_braking(const Motion& ours) const;
   /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
-  /// who is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile.
+  /// who else is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile.
   bool is_clear_of_expected(const Motion& ours, Care care = Care::margins) const;
   /// True when a body is expected to touch ours within that time.
   bool hit_within(const Motion& ours, double within_s) const;
@@ -40,10 +41,23 @@ class OpponentModels {
     double growth_mps = 0.0;  ///< of the margin to where it is expected
   };
 
+  /// What blocked the last motion mostly blocks the next one too, so it is asked first.
+  template <class IsClear>
+  bool all(IsClear&& is_clear) const {
+    if (blocker_ < models_.size() && !is_clear(models_[blocker_])) return false;
+    for (std::size_t i = 0; i < models_.size(); ++i) {
+      if (i == blocker_ || is_clear(models_[i])) continue;
+      blocker_ = i;
+      return false;
+    }
+    return true;
+  }
+
   std::vector<Model> models_;
-  std::vector<Touch> touches_;  ///< scratch
-  double gap_m_ = 0.0;          ///< between centres, margin included
-  double bodies_m_ = 0.0;       ///< between centres that touch
+  mutable std::size_t blocker_ = 0;  ///< changes no answer
+  std::vector<Touch> touches_;       ///< scratch
+  double gap_m_ = 0.0;               ///< between centres, margin included
+  double bodies_m_ = 0.0;            ///< between centres that touch
   double horizon_s_ = 0.0;
 };
 

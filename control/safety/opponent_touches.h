@@ -5,16 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "control/safety/motion.h"
+#include "control/safety/opponent.h"
 
 namespace regista {
-
-/// One whose mind is not known.
-struct Opponent {
-  Vec2 position_m = Vec2::Zero();
-  Vec2 velocity_mps = Vec2::Zero();
-  Vec2 acceleration_mps2 = Vec2::Zero();  ///< estimated
-};
 
 /// An opponent's first touch with another one.
 struct Touch {
@@ -23,8 +16,8 @@ struct Touch {
   bool operator==(const Touch&) const = default;
 };
 
-/// Touches within until_s of discs whose centres are bodies_m apart then, at constant velocities: `out` gets one per
-/// opponent.
+/// First touches within until_s of discs whose centres are bodies_m apart then, at constant velocities: `out` gets one
+/// per opponent. That a partner may have been turned away by its own earlier touch is not followed.
 void foresee_touches(std::span<const Opponent> opponents, double bodies_m, double until_s, std::vector<Touch>& out);
 
 }  // namespace regista

@@ -5,6 +5,7 @@
 
 #include <span>
 
+#include "control/safety/opponent.h"
 #include "control/safety/safety_search.h"
 
 namespace regista {

@@ -90,7 +90,7 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   Safety best = Safety::none;
   const auto consider = [&](const Vec2& next_mps) {
     const Motion motion = motion_to(robot, next_mps, 0.0);
-    const Safety safety = safety_of(robot, next_mps, motion);
+    const Safety safety = safety_of(robot, next_mps, motion, best);
     // Who dodges slows down meanwhile: margins are gone, and what hits a slow robot is not its fault.
     const bool dodges_slower =
         safety == Safety::dodge && best == safety && next_mps.squaredNorm() < chosen.squaredNorm();
@@ -118,15 +118,18 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
   return chosen;
 }
 
-SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const {
+SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion,
+                                             Safety best) const {
   if (!is_clear_of_team(robot, motion, promised_) || !is_clear_of_shapes(robot, motion)) return Safety::none;
   const bool is_clear_of_braking = opponents_.is_clear_of_braking(motion);
+  if (!is_clear_of_braking && best >= Safety::opponents_brake) return Safety::none;
   if (!is_clear_of_expected(robot, next_mps, motion, Care::margins)) {
     if (is_clear_of_braking) return Safety::opponents_brake;
-    return is_clear_of_expected(robot, next_mps, motion, Care::half) ? Safety::dodge : Safety::team;
+    return best <= Safety::dodge && is_clear_of_expected(robot, next_mps, motion, Care::half) ? Safety::dodge
+                                                                                              : Safety::team;
   }
   if (!is_clear_of_braking) return Safety::way_through;
-  if (!is_clear_of_expected(robot, next_mps, motion, Care::any_change)) return Safety::opponents_expected;
+  if (!is_clear_of_expected(robot, next_mps, motion, Care::steady_too)) return Safety::opponents_expected;
   if (params_->hold_s <= 0.0) return Safety::ahead;
   return is_clear_of_team(robot, motion_to(robot, next_mps, params_->hold_s), expected_) ? Safety::ahead
                                                                                          : Safety::opponents_expected;

@@ -1,7 +1,8 @@
 // Dynamic safety search for a team (after Bruce & Veloso, "Safe multirobot navigation within dynamics constraints",
 // Proc. IEEE 94(7), 2006): after every reachable velocity it is asked whether the robot can still brake to a stand
 // without touching anything, and how well it keeps clear of opponents and of where team-mates are expected (Safety).
-// The safest velocity is taken, of equally safe ones the nearest to the wanted one.
+// The safest velocity is taken, of equally safe ones the nearest to the wanted one; of those that only dodge, the
+// slowest.
 //
 // Why team-mates never touch while robots do as they are told: at the start of a tick all of them braking is free of
 // contact. Robots choose one after another; whoever has chosen has promised "this period, then brake", whoever has not
@@ -50,7 +51,8 @@ class SafetySearch {
   Vec2 choose_for(std::size_t robot);
   Vec2 brake(std::size_t robot);
   Vec2 stop(std::size_t robot);
-  Safety safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion) const;
+  /// Exact where it is at least `best`; else less than that.
+  Safety safety_of(std::size_t robot, const Vec2& next_mps, const Motion& motion, Safety best) const;
   bool is_clear_of_team(std::size_t robot, const Motion& motion, const std::vector<Motion>& others) const;
   bool is_clear_of_shapes(std::size_t robot, const Motion& motion) const;
   bool is_clear_of_expected(std::size_t robot, const Vec2& next_mps, const Motion& motion, Care care) const;

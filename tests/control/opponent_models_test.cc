@@ -110,9 +110,13 @@ TEST_CASE("who is about to hit another opponent is expected to go on with it, an
   OpponentModels models;
   models.set(pair, RobotLimits{}, SafetyParams{}, kPeriod_s);
   CHECK(models.is_clear_of_expected(where_one_would_be));
-  CHECK_FALSE(models.is_clear_of_expected(where_one_would_be, Care::any_change));
+  CHECK_FALSE(models.is_clear_of_expected(where_one_would_be, Care::steady_too));
   CHECK_FALSE(models.is_clear_of_expected(where_both_will_be));
   const std::vector<Opponent> late{{{-1.0, 0.0}, {1.0, 1.0}, Vec2::Zero()}, {{1.0, 0.0}, {-1.0, 1.0}, Vec2::Zero()}};
+  SafetyParams far;
+  far.horizon_s = 2.0;
+  models.set(late, RobotLimits{}, far, kPeriod_s);
+  CHECK_FALSE(models.is_clear_of_expected(Motion({0.5, 1.5}, Vec2::Zero())));
   std::vector<Touch> touches;
   foresee_touches(late, 0.18, 0.6, touches);
   CHECK(touches == std::vector<Touch>(2));
@@ -120,7 +124,54 @@ TEST_CASE("who is about to hit another opponent is expected to go on with it, an
   CHECK(touches[0].at_s == Approx(0.91));
 }
 
-TEST_CASE("a foreseen touch is the first, keeps the momentum, and leaves no speed along the line of centres") {
+TEST_CASE("a neighbour beside an opponent hides neither its acceleration nor its braking") {
+  const Opponent neighbour{{0.0, 0.19}, Vec2::Zero(), Vec2::Zero()};
+  const Opponent starts{{0.0, 0.0}, {0.0, 0.02}, {3.0, 0.0}};
+  const Opponent brakes{{0.0, 0.0}, {1.0, 0.02}, {-4.0, -0.08}};
+  for (const std::vector<Opponent>& around : {std::vector<Opponent>{}, std::vector<Opponent>{neighbour}}) {
+    OpponentModels models;
+    std::vector<Opponent> all{starts};
+    all.insert(all.end(), around.begin(), around.end());
+    models.set(all, RobotLimits{}, SafetyParams{}, kPeriod_s);
+    CHECK_FALSE(models.is_clear_of_expected(Motion({0.6, 0.0}, Vec2::Zero())));
+    CHECK(models.hit_within(Motion({0.6, 0.0}, Vec2::Zero()), 1.0));
+    all[0] = brakes;
+    models.set(all, RobotLimits{}, SafetyParams{}, kPeriod_s);
+    CHECK(models.is_clear_of_expected(Motion({0.9, 0.0}, Vec2::Zero())));
+  }
+}
+
+TEST_CASE("margins grow on the way; half of them are half of that too") {
+  const auto is_clear = [](double beside_m, Care care) {
+    const Opponent passes{{-0.9, beside_m}, {1.0, 0.0}, Vec2::Zero()};
+    OpponentModels models;
+    models.set(std::span(&passes, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+    return models.is_clear_of_expected(Motion(Vec2::Zero(), Vec2::Zero()), care);
+  };
+  // After 0.9 s: bodies 0.18, margin 0.03, grown by 0.054.
+  CHECK_FALSE(is_clear(0.215, Care::half));
+  CHECK(is_clear(0.235, Care::half));
+  CHECK_FALSE(is_clear(0.255, Care::margins));
+  CHECK(is_clear(0.275, Care::margins));
+}
+
+TEST_CASE("a robot also keeps clear of an opponent that may stop accelerating") {
+  SafetyRobot robot;
+  robot.velocity_mps = {2.0, 0.0};
+  robot.wanted_mps = {2.0, 0.0};
+  // Expected to turn off to the left; if it does not, it comes straight at us.
+  const Opponent turns_off{{1.6, 0.0}, {-2.0, 0.0}, {0.0, 3.0}};
+  OpponentModels models;
+  models.set(std::span(&turns_off, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+  const Motion stops = braking(Vec2::Zero(), robot.velocity_mps, 0.0, 3.6, kPeriod_s);
+  REQUIRE(models.is_clear_of_expected(stops));
+  REQUIRE(models.is_clear_of_braking(stops));
+  REQUIRE_FALSE(models.is_clear_of_expected(stops, Care::steady_too));
+  const Vec2 chosen = choice(robot, std::span(&turns_off, 1), {});
+  CHECK(chosen != robot.wanted_mps);
+}
+
+TEST_CASE("a foreseen touch is the first; if for both, it keeps the momentum and leaves no speed towards each other") {
   Dice dice(53);
   int touched = 0;
   for (int i = 0; i < 500; ++i) {

@@ -84,16 +84,29 @@ TEST_CASE("more is given up for a crash that would be our foul than for one that
   SafetyRobot robot;
   robot.velocity_mps = {2.0, 0.0};
   robot.wanted_mps = {2.0, 0.0};
-  const auto given_up = [&](const Vec2& theirs_mps, bool is_opponent) {
+  const auto given_up = [&](const Vec2& theirs_mps, bool is_opponent, const Vec2& acceleration_mps2 = Vec2::Zero(),
+                            const VelocityChoiceParams& params = {}) {
     // 0.3 s before the contact, whoever brings the speed.
-    const Vec2 place{0.21 + 0.3 * (2.0 - theirs_mps.x()), 0.05};
-    const std::vector<Neighbour> other{{place, theirs_mps, Vec2::Zero(), 0.21, is_opponent}};
-    return (choose_velocity(robot, kNever, other, {}, 0.3) - robot.wanted_mps).norm();
+    const Vec2 mean_mps = theirs_mps + 0.15 * acceleration_mps2;
+    const Vec2 place{0.21 + 0.3 * (2.0 - mean_mps.x()), 0.05};
+    const std::vector<Neighbour> other{{place, theirs_mps, acceleration_mps2, 0.21, is_opponent}};
+    return (choose_velocity(robot, kNever, other, params, 0.3) - robot.wanted_mps).norm();
   };
   const Vec2 slower{-1.0, 0.0};
   CHECK(given_up(slower, true) > given_up(slower, false));
   CHECK(given_up(slower, true) > given_up({-2.4, 0.0}, true));       // it is the faster one
   CHECK(given_up({0.6, 0.0}, true) == given_up({0.6, 0.0}, false));  // 1.4 m/s is no crash
+  const Vec2 as_fast{-2.1, 0.0};
+  CHECK(given_up(as_fast, true) > given_up(as_fast, false));  // both are guilty
+  // It is faster now, and slower than we are by then.
+  CHECK(given_up({-2.4, 0.0}, true, {3.0, 0.0}) > given_up({-2.4, 0.0}, false, {3.0, 0.0}));
+  // Without what fouls cost more, they cost as much as others.
+  for (const auto& [horizon_s, weight_m] : {std::pair{0.0, 1.0}, std::pair{0.8, 0.0}}) {
+    VelocityChoiceParams plain;
+    plain.foul_horizon_s = horizon_s;
+    plain.foul_weight_m = weight_m;
+    CHECK(given_up(slower, true, Vec2::Zero(), plain) == given_up(slower, false));
+  }
 }
 
 TEST_CASE("a robot that sets out close beside another sets out, if not quite in the direction wished for") {
