@@ -162,12 +162,12 @@ void GoalAdjustment::find_nearest() {
   }
 }
 
-void GoalAdjustment::add(const Outline& outline, bool is_border) {
+void GoalAdjustment::add(const Outline& outline, bool border) {
   candidates_.clear();
-  if (is_border) append_projections(from_, outline, candidates_);
-  for (const Outline& other : is_border ? added_ : borders_) append_intersections(outline, other, candidates_);
+  if (border) append_projections(from_, outline, candidates_);
+  for (const Outline& other : border ? added_ : borders_) append_intersections(outline, other, candidates_);
   added_.push_back(outline);
-  if (is_border) borders_.push_back(outline);
+  if (border) borders_.push_back(outline);
   try_candidates();
 }
 

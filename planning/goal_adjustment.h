@@ -36,7 +36,7 @@ class GoalAdjustment {
   bool is_held(ObstacleIndex obstacle) const;
   bool try_deepest();
   bool try_within(double radius_m, bool with_rays);
-  void add(const Outline& outline, bool is_border);
+  void add(const Outline& outline, bool border);
   void add_rays(const Outline& outline);
   void try_candidates();
 

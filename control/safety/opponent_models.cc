@@ -34,7 +34,7 @@ Motion expected_motion(const Opponent& opponent, const Touch& touch, double last
   const double speed2 = velocity.squaredNorm();
   const bool brakes =
       lasts_s > 0.0 && against > 0.0 && against * against > kStraight * acceleration.squaredNorm() * speed2;
-  const double touch_s = touch.change_mps.norm() > kSlight_mps ? touch.at_s : kNever;
+  const double touch_s = touch.change_mps.norm() > kSlight_mps ? touch.at_s : Touch{}.at_s;
   if (brakes && speed2 < against * std::min(touch_s, horizon_s)) {
     motion.then_stand(-(against / speed2) * velocity, speed2 / against);
     return motion;

@@ -1,5 +1,5 @@
 // One drive of the dynamic test of Costa & Tonidandel (section 5) in the closed loop: the robot is driven by the
-// system, the obstacles go to and fro at its own top speed and know nothing of it.
+// system, the obstacles are robots that go to and fro as fast as they can and know nothing of it.
 #pragma once
 
 #include <span>
@@ -22,7 +22,8 @@ struct DynamicDrive {
 };
 
 /// `phases` are shares of each obstacle's time there and back. Bodies pass through each other. Obstacles are robots
-/// like ours: they speed up and brake within its limits and have its top speed where they cross; bench paper's turn
+/// like ours: they speed up and brake within its limits, up to its top speed (at least 2.4 of 2.5 m/s where they cross
+/// the straight line); those of bench paper turn
 /// round at full speed. Throws ConfigError and UnknownPlanner.
 DynamicDrive drive_dynamic(const DynamicScenario& scenario, std::span<const double> phases, const SystemChoice& system,
                            const std::string& preset, std::uint64_t seed);
