@@ -23,8 +23,7 @@ struct DynamicDrive {
 
 /// `phases` are shares of each obstacle's time there and back. Bodies pass through each other. Obstacles are robots
 /// like ours: they speed up and brake within its limits, up to its top speed (at least 2.4 of 2.5 m/s where they cross
-/// the straight line); those of bench paper turn
-/// round at full speed. Throws ConfigError and UnknownPlanner.
+/// the straight line); those of bench paper turn round at full speed. Throws ConfigError and UnknownPlanner.
 DynamicDrive drive_dynamic(const DynamicScenario& scenario, std::span<const double> phases, const SystemChoice& system,
                            const std::string& preset, std::uint64_t seed);
 
