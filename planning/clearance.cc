@@ -57,8 +57,11 @@ bool segments_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) 
   const double d_side = cross(b - a, d - a);
   const double a_side = cross(d - c, a - c);
   const double b_side = cross(d - c, b - c);
-  return ((c_side > 0.0 && d_side < 0.0) || (c_side < 0.0 && d_side > 0.0)) &&
-         ((a_side > 0.0 && b_side < 0.0) || (a_side < 0.0 && b_side > 0.0));
+  const auto differ = [](double one, double other) {
+    return (static_cast<unsigned>(one > 0.0) & static_cast<unsigned>(other < 0.0)) |
+           (static_cast<unsigned>(one < 0.0) & static_cast<unsigned>(other > 0.0));
+  };
+  return (differ(c_side, d_side) & differ(a_side, b_side)) != 0;
 }
 
 /// Closed box, closed segment: not separated along x, along y or across the segment.
@@ -66,9 +69,11 @@ bool box_meets_segment(const Vec2& low, const Vec2& high, const Vec2& from, cons
   const Vec2 along = to - from;
   const Vec2 doubled_offset = from + to - low - high;
   const Vec2 size = high - low;
-  return std::abs(doubled_offset.x()) <= size.x() + std::abs(along.x()) &&
-         std::abs(doubled_offset.y()) <= size.y() + std::abs(along.y()) &&
-         std::abs(cross(along, doubled_offset)) <= std::abs(along.x()) * size.y() + std::abs(along.y()) * size.x();
+  const unsigned in_x = std::abs(doubled_offset.x()) <= size.x() + std::abs(along.x());
+  const unsigned in_y = std::abs(doubled_offset.y()) <= size.y() + std::abs(along.y());
+  const unsigned in_line =
+      std::abs(cross(along, doubled_offset)) <= std::abs(along.x()) * size.y() + std::abs(along.y()) * size.x();
+  return (in_x & in_y & in_line) != 0;
 }
 
 double point_segment(const Vec2& point, const Vec2& a, const Vec2& b) {
@@ -95,6 +100,22 @@ double box_segment_apart(const Vec2& low, const Vec2& high, const Vec2& from, co
     least2 = std::min(least2, (to_corner - t * along).squaredNorm());
   }
   return std::sqrt(least2);
+}
+
+/// A straight line, the segment's own or an axis, has the core on one side and far enough away: what most motions are
+/// free by.
+bool is_surely_apart(const Vec2& from, const Vec2& to, const Obstacle& obstacle, double least_m) {
+  const Vec2 along = to - from;
+  const Vec2 half = 0.5 * (obstacle.b - obstacle.a);
+  const Vec2 offset = obstacle.a + half - from;
+  // Of a segment the ends, of a rectangle all corners.
+  const double width = obstacle.core == Core::segment ? std::abs(cross(along, half))
+                                                      : std::abs(along.x()) * half.y() + std::abs(along.y()) * half.x();
+  const double across = std::abs(cross(along, offset)) - width;
+  const Vec2 beyond = (offset - 0.5 * along).cwiseAbs() - half.cwiseAbs() - 0.5 * along.cwiseAbs();
+  const unsigned is_beside = static_cast<unsigned>(across > 0.0) &
+                             static_cast<unsigned>(across * across >= least_m * least_m * along.squaredNorm());
+  return (is_beside | static_cast<unsigned>(beyond.maxCoeff() >= least_m)) != 0;
 }
 
 }  // namespace
@@ -130,6 +151,8 @@ bool is_free_of_extended(const Vec2& from, const Vec2& to, const Obstacle& obsta
   const Vec2& a = obstacle.a;
   const Vec2& b = obstacle.b;
   const double radius_m = obstacle.radius_m;
+  const double least_m = std::max(radius_m - kTouch_m, 0.0);
+  if (is_surely_apart(from, to, obstacle, least_m)) return true;
   const auto is_free_of = [&](const Vec2& corner) { return is_free_of_disc(from, to, corner, radius_m); };
   if (obstacle.core == Core::segment) {
     return (radius_m <= kTouch_m || !segments_cross(from, to, a, b)) && is_free_of(a) && is_free_of(b) &&
@@ -138,7 +161,6 @@ bool is_free_of_extended(const Vec2& from, const Vec2& to, const Obstacle& obsta
   if (box_meets_segment(a, b, from, to)) {
     return radius_m <= kTouch_m && clearance(from, to, obstacle) >= -kTouch_m;
   }
-  const double least_m = std::max(radius_m - kTouch_m, 0.0);
   const auto is_apart = [&](const Vec2& end) {
     return (a - end).cwiseMax(end - b).cwiseMax(0.0).squaredNorm() >= least_m * least_m;
   };
