@@ -32,8 +32,24 @@ Outline rectangle_outline(const Vec2& low, const Vec2& high, double radius_m) {
   return outline;
 }
 
+/// Boxes around both are apart, by more than what counts as touching below.
+bool are_apart(const Vec2& low, const Vec2& high, const Vec2& other_low, const Vec2& other_high) {
+  const double margin_m = 1e-4 + 1e-9 * (low.cwiseAbs() + other_low.cwiseAbs()).sum();
+  return (low - other_high).cwiseMax(other_low - high).maxCoeff() > margin_m;
+}
+
+bool are_apart(const Side& side, const Circle& circle) {
+  const Vec2 reach = Vec2::Constant(circle.radius_m);
+  return are_apart(side.a.cwiseMin(side.b), side.a.cwiseMax(side.b), circle.centre - reach, circle.centre + reach);
+}
+
+bool are_apart(const Side& one, const Side& other) {
+  return are_apart(one.a.cwiseMin(one.b), one.a.cwiseMax(one.b), other.a.cwiseMin(other.b), other.a.cwiseMax(other.b));
+}
+
 /// Where |from + t·along - centre| = radius, for all t; nearest approach where they miss by rounding alone.
 void append_line_circle(const Side& side, const Circle& circle, std::vector<Vec2>& out) {
+  if (are_apart(side, circle)) return;
   const Vec2 along = side.b - side.a;
   const double length2 = along.squaredNorm();
   if (length2 == 0.0) return;
@@ -63,6 +79,7 @@ void append_circle_circle(const Circle& one, const Circle& other, std::vector<Ve
 }
 
 void append_side_side(const Side& one, const Side& other, std::vector<Vec2>& out) {
+  if (are_apart(one, other)) return;
   const Vec2 u = one.b - one.a;
   const Vec2 v = other.b - other.a;
   const double determinant = cross(u, v);

@@ -76,6 +76,12 @@ std::pair<Vec2, Vec2> nearest_points(const Obstacle& one, const Obstacle& other)
   return best;
 }
 
+/// On one side at least the obstacle overlaps the outside of the bounds.
+bool reaches_out(const Obstacle& obstacle, const Bounds& bounds) {
+  const Vec2 farthest = obstacle.a.cwiseAbs().cwiseMax(obstacle.b.cwiseAbs());
+  return (farthest.array() + obstacle.radius_m > bounds.half_extent_m.array() + kTouch_m).any();
+}
+
 }  // namespace
 
 void append_overlaps(const ObstacleField& field, std::vector<Overlap>& out) {
@@ -98,7 +104,8 @@ bool Separation::separates(const ObstacleField& field, std::span<const Overlap> 
   members_.resize(field.size() + 1);
   for (ObstacleIndex i = 0; i < members_.size(); ++i) members_[i] = {i, 0};
   for (ObstacleIndex i = 0; i < field.size(); ++i) {
-    if (is_ignored(i, ignored) || !has_extent(field.obstacles()[i])) continue;
+    const Obstacle& obstacle = field.obstacles()[i];
+    if (!reaches_out(obstacle, field.bounds()) || is_ignored(i, ignored) || !has_extent(obstacle)) continue;
     if (meets_bounds(field, i)) return true;
   }
   for (const Overlap& overlap : overlaps) {
