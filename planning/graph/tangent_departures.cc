@@ -95,7 +95,9 @@ void TangentFront::make_departures(ArrivalIndex index) {
 }
 
 void TangentFront::depart_to_slot(ArrivalIndex index, State slot) {
-  for (const State side : {0U, 1U}) depart(index, active_[slot].body, side_of(side), 2 * slot + side);
+  const Body& body = active_[slot].body;
+  depart(index, body, side_of(0), 2 * slot);
+  depart(index, body, side_of(1), 2 * slot + 1);
 }
 
 void TangentFront::depart(ArrivalIndex index, const Body& to, double to_side, State state) {
