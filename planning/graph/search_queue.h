@@ -1,4 +1,5 @@
-// What a tangent search looks at next: a heap, least estimate first.
+// What a tangent search looks at next, least estimate first: a few in no order, as most searches have them, more as a
+// heap.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +15,21 @@ class SearchQueue {
     bool is_arrival;      ///< an arrival whose departures have not all been made; else a leg
   };
 
-  void clear() { heap_.clear(); }
-  bool is_empty() const { return heap_.empty(); }
+  void clear() {
+    entries_.clear();
+    is_heap_ = false;
+  }
+  bool is_empty() const { return entries_.empty(); }
   void push(const Entry& entry);
 
   /// Of equal estimates legs first, then the lesser index. The queue must not be empty.
   Entry pop();
 
  private:
-  std::vector<Entry> heap_;
+  std::size_t first_of_few() const;
+
+  std::vector<Entry> entries_;
+  bool is_heap_ = false;
 };
 
 }  // namespace regista::graph
