@@ -1,12 +1,28 @@
 #include "planning/obstacle_boxes.h"
 
 #include <algorithm>
+#include <numeric>
+
+// A function of which the program holds a second version for processors with wider registers; both do the same
+// operations and give the same bits.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define REGISTA_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define REGISTA_WIDE
+#endif
 
 namespace regista {
 namespace {
 
 /// From here on groups are faster than asking all boxes.
 constexpr std::size_t kSmallField = 64;
+
+// The lambdas below, which return such, are always inlined: no call depends on how one is passed.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+/// Several numbers at once; written with the compiler's vectors, which it lowers to whatever the processor has.
+using Lanes = float __attribute__((vector_size(32)));
+using Bits = std::int32_t __attribute__((vector_size(32)));
 
 /// A padding box: its radius is below minus anything, so nothing is near enough.
 constexpr float kNever = -1e30F;
@@ -23,11 +39,16 @@ Vec2 reach_of(const Obstacle& obstacle) {
 }  // namespace
 
 void ObstacleBoxes::Block::set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m) {
-  x[lane] = static_cast<float>(middle.x());
-  y[lane] = static_cast<float>(middle.y());
-  half_x[lane] = static_cast<float>(half.x());
-  half_y[lane] = static_cast<float>(half.y());
+  const Eigen::Vector4f both = Eigen::Vector4d(middle.x(), middle.y(), half.x(), half.y()).cast<float>();
+  x[lane] = both[0];
+  y[lane] = both[1];
+  half_x[lane] = both[2];
+  half_y[lane] = both[3];
   radius[lane] = static_cast<float>(radius_m);
+}
+
+void ObstacleBoxes::Block::set(std::size_t lane, const Obstacle& obstacle) {
+  set(lane, middle_of(obstacle), half_of(obstacle), obstacle.radius_m);
 }
 
 void ObstacleBoxes::Block::pad(std::size_t lane) {
@@ -36,46 +57,47 @@ void ObstacleBoxes::Block::pad(std::size_t lane) {
 }
 
 ObstacleBoxes::Sweep ObstacleBoxes::sweep_of(const Motion& motion) const {
-  const double extent_m = std::max({extent_m_, std::abs(motion.from.x()), std::abs(motion.from.y()),
-                                    std::abs(motion.to.x()), std::abs(motion.to.y())});
-  // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
-  const double radius_m = motion.radius_m + 1e-6 * extent_m;
   const Vec2 half = 0.5 * (motion.to - motion.from);
-  const auto unit_x = static_cast<float>(motion.along.x());
-  const auto unit_y = static_cast<float>(motion.along.y());
-  Sweep sweep;
-  sweep.x = static_cast<float>(motion.from.x() + half.x());
-  sweep.y = static_cast<float>(motion.from.y() + half.y());
-  sweep.half_x = static_cast<float>(std::abs(half.x()) + radius_m);
-  sweep.half_y = static_cast<float>(std::abs(half.y()) + radius_m);
-  sweep.along_x = unit_x;
-  sweep.along_y = unit_y;
-  sweep.across_x = std::abs(unit_y);
-  sweep.across_y = std::abs(unit_x);
-  sweep.radius = static_cast<float>(radius_m);
-  return sweep;
+  const Vec2 middle = motion.from + half;
+  const Vec2 reach = middle.cwiseAbs() + half.cwiseAbs();
+  // Single precision rounds by 6e-8; sums and products of four numbers stay below ten times that.
+  const double radius_m = motion.radius_m + 1e-6 * std::max(extent_m_, reach.maxCoeff());
+  return {static_cast<float>(middle.x()),
+          static_cast<float>(middle.y()),
+          static_cast<float>(std::abs(half.x()) + radius_m),
+          static_cast<float>(std::abs(half.y()) + radius_m),
+          static_cast<float>(motion.along.x()),
+          static_cast<float>(motion.along.y()),
+          static_cast<float>(radius_m)};
 }
 
 /// Not separated along x, along y, or across the segment (for a point as core, exactly by its distance to the line).
-std::uint64_t ObstacleBoxes::hits(const Block* begin, const Block* end, const Sweep& sweep) {
-  using std::experimental::abs;
-  const auto load = [](const std::array<float, kLanes>& column) {
-    return Lanes(column.data(), std::experimental::vector_aligned);
+REGISTA_WIDE std::uint32_t ObstacleBoxes::hits(const Block* begin, const Block* end, const Sweep& sweep) {
+  const auto load = [](const std::array<float, kLanes>& column) __attribute__((always_inline)) {
+    return *reinterpret_cast<const Lanes*>(column.data());
   };
-  std::uint64_t hits = 0;
-  std::size_t lane = 0;
-  for (const Block* block = begin; block != end; ++block, lane += kLanes) {
+  const auto magnitude = [](const Lanes& lanes) __attribute__((always_inline)) {
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(lanes) & 0x7FFFFFFF);
+  };
+  const float across_x = std::abs(sweep.along_y);
+  const float across_y = std::abs(sweep.along_x);
+  Bits hits{};
+  Bits bit{1, 1 << 1, 1 << 2, 1 << 3, 1 << 4, 1 << 5, 1 << 6, 1 << 7};
+  for (const Block* block = begin; block != end; ++block, bit <<= kLanes) {
     const Lanes x = load(block->x) - sweep.x;
     const Lanes y = load(block->y) - sweep.y;
     const Lanes half_x = load(block->half_x);
     const Lanes half_y = load(block->half_y);
     const Lanes radius = load(block->radius);
-    const auto hit = abs(x) <= half_x + (radius + sweep.half_x) && abs(y) <= half_y + (radius + sweep.half_y) &&
-                     abs(sweep.along_x * y - sweep.along_y * x) <=
-                         sweep.across_x * half_x + (sweep.across_y * half_y + (radius + sweep.radius));
-    hits |= static_cast<std::uint64_t>(hit.__to_bitset().to_ulong()) << lane;
+    const Lanes apart = magnitude(sweep.along_x * y - sweep.along_y * x);
+    hits |= (magnitude(x) <= half_x + (radius + sweep.half_x)) & (magnitude(y) <= half_y + (radius + sweep.half_y)) &
+            (apart <= across_x * half_x + (across_y * half_y + (radius + sweep.radius))) & bit;
   }
-  return hits;
+  static_assert(kLanes == 8);
+  const auto low = __builtin_shufflevector(hits, hits, 0, 1, 2, 3);
+  const auto halves = low | __builtin_shufflevector(hits, hits, 4, 5, 6, 7);
+  const auto quarters = halves | __builtin_shufflevector(halves, halves, 2, 3, 0, 1);
+  return static_cast<std::uint32_t>(quarters[0] | quarters[1]);
 }
 
 void ObstacleBoxes::clear() {
@@ -92,27 +114,33 @@ void ObstacleBoxes::append(const Obstacle& obstacle, ObstacleIndex index) {
     blocks_.emplace_back();
     for (std::size_t i = 0; i < kLanes; ++i) blocks_.back().pad(i);
   }
-  blocks_.back().set(lane, middle_of(obstacle), half_of(obstacle), obstacle.radius_m);
+  blocks_.back().set(lane, obstacle);
   index_.push_back(index);
 }
 
 void ObstacleBoxes::assign(std::span<const Obstacle> obstacles) {
-  Vec2 extent = Vec2::Zero();
-  for (const Obstacle& obstacle : obstacles) extent = extent.cwiseMax(reach_of(obstacle));
-  extent_m_ = extent.maxCoeff();
   groups_.clear();
   index_.resize(obstacles.size());
-  blocks_.resize((obstacles.size() + kLanes - 1) / kLanes);
-  if (obstacles.size() > kSmallField) {
+  const bool is_large = obstacles.size() > kSmallField;
+  const std::size_t whole = is_large ? kGroupSize : kLanes;  // groups have no gaps
+  const std::size_t padded = (obstacles.size() + whole - 1) / whole * whole;
+  blocks_.resize(padded / kLanes);
+  std::iota(index_.begin(), index_.end(), ObstacleIndex{0});
+  if (is_large) {
+    extent_m_ = 0.0;
+    for (const Obstacle& obstacle : obstacles) extent_m_ = std::max(extent_m_, reach_of(obstacle).maxCoeff());
     sort_into_groups(obstacles);
-  } else {
-    for (ObstacleIndex i = 0; i < obstacles.size(); ++i) index_[i] = i;
   }
+  Vec2 extent = Vec2::Zero();
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Obstacle& obstacle = obstacles[index_[i]];
-    blocks_[i / kLanes].set(i % kLanes, middle_of(obstacle), half_of(obstacle), obstacle.radius_m);
+    const Vec2 middle = middle_of(obstacle);
+    const Vec2 half = half_of(obstacle);
+    extent = extent.cwiseMax(middle.cwiseAbs() + half + Vec2::Constant(obstacle.radius_m));
+    blocks_[i / kLanes].set(i % kLanes, middle, half, obstacle.radius_m);
   }
-  for (std::size_t i = obstacles.size(); i < blocks_.size() * kLanes; ++i) blocks_[i / kLanes].pad(i % kLanes);
+  extent_m_ = extent.maxCoeff();
+  for (std::size_t i = obstacles.size(); i < padded; ++i) blocks_[i / kLanes].pad(i % kLanes);
 }
 
 /// Neighbours in the list are to be neighbours in the field.

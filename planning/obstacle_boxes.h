@@ -7,7 +7,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <experimental/simd>
 #include <span>
 #include <vector>
 
@@ -34,7 +33,7 @@ class ObstacleBoxes {
   void visit_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const {
     const Vec2 along = to - from;
     const double length_m = along.norm();
-    visit_near({from, to, length_m > 0.0 ? Vec2(along / length_m) : Vec2::Zero(), radius_m, 0}, visit);
+    visit_near({from, to, length_m > 0.0 ? Vec2(along / length_m) : Vec2::Zero(), radius_m}, visit);
   }
 
   /// The same for one who knows the direction.
@@ -43,41 +42,37 @@ class ObstacleBoxes {
     const Vec2& to;
     const Vec2& along;  ///< unit, or zero
     double radius_m = 0.0;
-    /// Bit i: the obstacle at place i of the list need not be visited, but may; for the first 64.
-    std::uint64_t left_out = 0;
   };
   template <class Visit>
   void visit_near(const Motion& motion, Visit&& visit) const;
 
  private:
-  using Lanes = std::experimental::native_simd<float>;
-  static constexpr std::size_t kLanes = Lanes::size();
+  static constexpr std::size_t kLanes = 8;
   static constexpr std::size_t kGroupSize = 16;
 
   /// As many boxes as there are lanes, each grown by a radius.
   struct alignas(sizeof(float) * kLanes) Block {
     std::array<float, kLanes> x, y, half_x, half_y, radius;
+    void set(std::size_t lane, const Obstacle& obstacle);
     void set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m);
     void pad(std::size_t lane);
   };
 
-  /// The segment as all lanes see it.
   struct Sweep {
-    Lanes x, y, half_x, half_y;  ///< of its box, which is grown by the sweep's radius
-    Lanes along_x, along_y;      ///< unit vector, or zero
-    Lanes across_x, across_y;    ///< magnitudes of the unit vector across
-    Lanes radius;
+    float x, y, half_x, half_y;  ///< of the segment's box, which is grown by the sweep's radius
+    float along_x, along_y;      ///< unit vector, or zero
+    float radius;
   };
   Sweep sweep_of(const Motion& motion) const;
 
   /// Bit i: box i of the blocks, which are at most kChunk boxes, may be near. All visits share this code: after other
   /// work the processor has to fetch it only once.
-  static std::uint64_t hits(const Block* begin, const Block* end, const Sweep& sweep);
-  static constexpr std::size_t kChunk = 64;
+  static std::uint32_t hits(const Block* begin, const Block* end, const Sweep& sweep);
+  static constexpr std::size_t kChunk = 32;
 
   /// Calls visit(i) for the bits of `hits`, until it returns true; then true.
   template <class Visit>
-  static bool visit_bits(std::uint64_t hits, Visit&& visit) {
+  static bool visit_bits(std::uint32_t hits, Visit&& visit) {
     for (; hits != 0; hits &= hits - 1) {
       if (visit(static_cast<std::size_t>(std::countr_zero(hits)))) return true;
     }
@@ -97,25 +92,18 @@ template <class Visit>
 void ObstacleBoxes::visit_near(const Motion& motion, Visit&& visit) const {
   const Sweep sweep = sweep_of(motion);
   constexpr std::size_t kBlocks = kChunk / kLanes;
-  const Block* const end = blocks_.data() + blocks_.size();
-  std::uint64_t left_out = motion.left_out;
   const std::vector<Block>& top = groups_.empty() ? blocks_ : groups_;
   for (std::size_t first = 0; first < top.size(); first += kBlocks) {
     const Block* const begin = top.data() + first;
-    const std::uint64_t near = hits(begin, top.data() + std::min(first + kBlocks, top.size()), sweep);
-    if (groups_.empty()) {
-      const auto visit_box = [&](std::size_t i) { return visit(index_[first * kLanes + i]); };
-      if (visit_bits(near & ~left_out, visit_box)) return;
-      left_out = 0;
-      continue;
-    }
+    const std::uint32_t near = hits(begin, top.data() + std::min(first + kBlocks, top.size()), sweep);
+    const auto visit_box = [&](std::size_t i) { return visit(index_[first * kLanes + i]); };
     const auto visit_group = [&](std::size_t i) {
       const std::size_t group = (first * kLanes + i) * kGroupSize;
       const Block* const of_group = blocks_.data() + group / kLanes;
-      return visit_bits(hits(of_group, std::min(of_group + kGroupSize / kLanes, end), sweep),
+      return visit_bits(hits(of_group, of_group + kGroupSize / kLanes, sweep),
                         [&](std::size_t k) { return visit(index_[group + k]); });
     };
-    if (visit_bits(near, visit_group)) return;
+    if (groups_.empty() ? visit_bits(near, visit_box) : visit_bits(near, visit_group)) return;
   }
 }
 

@@ -8,10 +8,24 @@ namespace {
 
 std::string text(const Vec2& v) { return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ")"; }
 
+/// At the cost of a few sums: none of them can hide a number that is too large, or none.
+bool are_surely_valid(std::span<const Obstacle> obstacles) {
+  Vec2 sum = Vec2::Zero();
+  double radii_m = 0.0;
+  double least_m = 0.0;
+  for (const Obstacle& obstacle : obstacles) {
+    sum += obstacle.a.cwiseAbs() + obstacle.b.cwiseAbs();
+    radii_m += obstacle.radius_m;
+    least_m = obstacle.radius_m < least_m ? obstacle.radius_m : least_m;
+  }
+  return sum.x() + sum.y() + radii_m <= kLargest_m && least_m >= 0.0;
+}
+
 void check(const Bounds& bounds, std::span<const Obstacle> obstacles) {
   if (!is_finite(bounds.half_extent_m) || bounds.half_extent_m.minCoeff() < 0.0) {
     throw std::invalid_argument("bounds must be finite and not negative, not " + text(bounds.half_extent_m) + " m");
   }
+  if (are_surely_valid(obstacles)) return;
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Obstacle& obstacle = obstacles[i];
     if (is_valid(obstacle)) continue;

@@ -78,13 +78,19 @@ class ObstacleField {
     boxes_.visit_near(motion, visit);
   }
 
-  /// Calls visit(index) for all obstacles within radius_m of the point and for some that are farther.
+  /// Calls visit(index) for all obstacles that come nearer than radius_m to the segment, and for some that do not.
   template <class Visit>
-  void maybe_within(const Vec2& point, double radius_m, Visit&& visit) const {
-    boxes_.visit_near(point, point, radius_m, [&](ObstacleIndex i) {
+  void visit_maybe_near(const Vec2& from, const Vec2& to, double radius_m, Visit&& visit) const {
+    boxes_.visit_near(from, to, radius_m, [&](ObstacleIndex i) {
       visit(i);
       return false;
     });
+  }
+
+  /// Calls visit(index) for all obstacles within radius_m of the point and for some that are farther.
+  template <class Visit>
+  void maybe_within(const Vec2& point, double radius_m, Visit&& visit) const {
+    visit_maybe_near(point, point, radius_m, visit);
   }
 
   /// Calls visit(index) for all obstacles nearer than `margin_m` to the given one of the field, and for some that are
@@ -92,9 +98,8 @@ class ObstacleField {
   template <class Visit>
   void visit_maybe_near(ObstacleIndex obstacle, double margin_m, Visit&& visit) const {
     const Obstacle stadium = capsule_around(obstacles_[obstacle]);
-    boxes_.visit_near(stadium.a, stadium.b, stadium.radius_m + margin_m, [&](ObstacleIndex i) {
+    visit_maybe_near(stadium.a, stadium.b, stadium.radius_m + margin_m, [&](ObstacleIndex i) {
       if (i != obstacle) visit(i);
-      return false;
     });
   }
 

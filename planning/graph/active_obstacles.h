@@ -14,9 +14,6 @@
 
 namespace regista::graph {
 
-/// For ObstacleBoxes::Motion::left_out: the bit of a place in a list; none beyond the 64th.
-inline std::uint64_t left_out_bit(std::uint32_t place) { return place < 64 ? std::uint64_t{1} << place : 0; }
-
 /// Slots are numbered from 0. Only scratch memory is kept between two searches.
 class ActiveObstacles {
  public:
@@ -41,9 +38,6 @@ class ActiveObstacles {
   std::size_t size() const { return slots_.size(); }
   const Slot& operator[](std::uint32_t slot) const { return slots_[slot]; }
   bool contains(ObstacleIndex obstacle) const { return is_active_[obstacle] != 0; }
-
-  /// kBounds for what is no slot.
-  ObstacleIndex obstacle_at(std::uint32_t slot) const { return slot < slots_.size() ? list_[slot] : kBounds; }
 
   /// By slot.
   std::span<const ObstacleIndex> list() const { return list_; }
@@ -70,10 +64,18 @@ class ActiveObstacles {
     std::array<double, kLanes> extent{};   ///< no point of the obstacle is farther from it
     std::array<double, kLanes> to_goal{};  ///< from the middle to the goal, less two extents
   };
+  /// The core's box of a slot, and the radius, grown by what rounding may take away.
+  struct Around {
+    Vec2 middle;
+    Vec2 half;
+    double radius_m;
+  };
   static Lanes least_m(const Departure& departure, const Discs& discs);
+  bool are_few_clear_of(const ObstacleField& field, const ObstacleBoxes::Motion& motion, std::uint64_t others) const;
 
   std::vector<Slot> slots_;
   std::vector<Discs> discs_;          ///< by slot
+  std::vector<Around> around_;        ///< by slot
   std::vector<double> least_ways_m_;  ///< scratch
   std::vector<ObstacleIndex> list_;
   ObstacleBoxes boxes_;                  ///< by slot

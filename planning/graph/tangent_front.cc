@@ -12,6 +12,12 @@ constexpr int kStepsPerTimeCheck = 64;
 constexpr int kLegsBeforeProof = 64;
 constexpr int kLegsWithoutHope = 192;
 
+/// Laying out a corridor costs as much as a few legs, each of which costs more the larger the field is. Most detours
+/// stay within.
+constexpr int kLegsBeforeCorridor = 4;
+constexpr std::size_t kLargeField = 64;
+constexpr double kCorridor_m = 0.6;
+
 }  // namespace
 
 TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
@@ -26,6 +32,9 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
       continue;
     }
     ++legs_tested_;
+    if (legs_tested_ == kLegsBeforeCorridor && field_->size() > kLargeField) {
+      corridor_.lay_out(*field_, query_.start, query_.goal, kCorridor_m);
+    }
     if (legs_tested_ == kLegsBeforeProof) {
       is_separated_ = separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
     }
@@ -56,6 +65,7 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   start_ = body_of(query.start);
   goal_ = body_of(query.goal);
   active_.clear(graph.field().size());
+  corridor_.clear();
   first_here_.clear();
   legs_.clear();
   arrivals_.clear();
@@ -93,13 +103,12 @@ bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
   Arrival& begin = arrivals_[leg.parent];
   const State from = begin.state / 2;
   const State to = leg.state / 2;
-  ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
+  const ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
   const bool is_news = leg.free_of < active_.size();
   if (is_news && !active_.are_clear_of(field, motion, from, to, begin.occluders)) return false;
   // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
-  motion.left_out = left_out_bit(active_.obstacle_at(from)) | left_out_bit(active_.obstacle_at(to));
-  field.visit_candidates(motion, [&](ObstacleIndex i) {
+  corridor_.visit_candidates(field, motion, [&](ObstacleIndex i) {
     if (active_.contains(i) || is_ignored(i, query_.ignored)) return false;
     if (!is_free(leg.from.point, leg.to.point, field.obstacles()[i])) blockers_.push_back(i);
     return false;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planning/graph/active_obstacles.h"
+#include "planning/graph/corridor.h"
 #include "planning/graph/search_queue.h"
 #include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
@@ -55,7 +56,7 @@ class TangentFront {
   static constexpr std::uint32_t kStart = 0;  ///< the first leg, which has no length, and its arrival
   static constexpr double kInfinite_m = std::numeric_limits<double>::infinity();
 
-  static double side_of(State state) { return (state & 1U) != 0 ? 1.0 : -1.0; }
+  static double side_of(State state) { return 2.0 * static_cast<double>(state & 1U) - 1.0; }
 
   struct Leg {
     Place from, to;
@@ -95,6 +96,7 @@ class TangentFront {
   const ObstacleField* field_ = nullptr;
   Body start_, goal_;
   ActiveObstacles active_;
+  Corridor corridor_;
   std::vector<ArrivalIndex> first_here_;  ///< by state: of a list of arrivals
   std::vector<Leg> legs_;                 ///< the first is the start
   std::vector<Arrival> arrivals_;         ///< the first is the start
