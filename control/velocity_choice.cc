@@ -38,9 +38,9 @@ class Judge {
     for (const Neighbour& neighbour : neighbours_) {
       const double contact_s = time_to_contact(robot_.position_m, velocity_mps, neighbour, lasts_s_);
       if (contact_s >= until_s_) continue;
-      danger = std::max(danger, danger_of(contact_s, params_.weight_m, params_.horizon_s));
-      if (neighbour.is_opponent && contact_s < params_.foul_horizon_s &&
-          is_our_foul(velocity_mps, neighbour, contact_s)) {
+      if (!neighbour.is_opponent) {
+        danger = std::max(danger, danger_of(contact_s, params_.weight_m, params_.horizon_s));
+      } else if (contact_s < params_.foul_horizon_s && is_our_foul(velocity_mps, neighbour, contact_s)) {
         danger = std::max(danger, danger_of(contact_s, params_.foul_weight_m, params_.foul_horizon_s));
       }
       if (danger > bearable) break;

@@ -6,27 +6,27 @@
 #include <span>
 
 #include "control/safety/safety_params.h"
-#include "control/safety/safety_search.h"
+#include "control/safety/safety_robot.h"
 
 namespace regista {
 
 struct VelocityChoiceParams {
-  double horizon_s = 0.7;  ///< contacts later than this do not count; 0: only those count that would be our foul
+  double horizon_s = 0.7;  ///< contacts with team-mates later than this do not count; 0: none do
   double weight_m = 0.2;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
-  /// The same for crashes that would be our foul, where that is more. Both horizons 0: wanted velocities are taken as
-  /// they are. Among opponents that avoid nobody these halve the fouls for less than
-  /// 1 % of the pace; a horizon of 1.2 s costs 1 to 2 %, one of 0.6 s leaves more of them.
-  double foul_horizon_s = 0.8;
+  /// The same for crashes with opponents that would be our foul; to keep out of their way otherwise is left to the
+  /// safety search, which does it later and so gives less away. Both horizons 0: wanted velocities are taken as they
+  /// are.
+  double foul_horizon_s = 0.7;
   double foul_weight_m = 1.0;
   bool operator==(const VelocityChoiceParams&) const = default;
 
   template <class Self, class V>
   static void visit(Self& self, V&& v) {
-    v("horizon_s", self.horizon_s, Range{0.0, 10.0}, "s", "contacts later than this do not count; 0: only our fouls");
+    v("horizon_s", self.horizon_s, Range{0.0, 10.0}, "s", "contacts of team-mates later than this do not count");
     v("weight_m", self.weight_m, Range{0.0, 100.0}, "m", "metres per second given up for 1/s of 1/(time to contact)");
     v("foul_horizon_s", self.foul_horizon_s, Range{0.0, 10.0}, "s",
-      "the same for crashes that would be our foul; 0: no more than others");
-    v("foul_weight_m", self.foul_weight_m, Range{0.0, 100.0}, "m", "further weight of crashes that would be our foul");
+      "the same for crashes with opponents that would be our foul");
+    v("foul_weight_m", self.foul_weight_m, Range{0.0, 100.0}, "m", "metres per second given up for 1/s of that");
   }
 };
 
@@ -45,7 +45,7 @@ double time_to_contact(const Vec2& from_m, const Vec2& velocity_mps, const Neigh
                        double acceleration_lasts_s);
 
 /// The best of 82 velocities for a robot among neighbours: least |v − wanted| + weight·(1/ttc − 1/horizon), of all
-/// contacts the worst, crashes that would be our foul with the foul's weight and horizon where that is worse.
+/// contacts the worst. Of opponents only crashes count that would be our foul, with weight and horizon of their own.
 /// `arrival_s`: when it will stand anyway, contacts later than that do not count.
 Vec2 choose_velocity(const SafetyRobot& robot, double arrival_s, std::span<const Neighbour> neighbours,
                      const VelocityChoiceParams& params, double acceleration_lasts_s);

@@ -38,6 +38,12 @@ void Motion::then_stand(const Vec2& acceleration_mps2, double duration_s) {
   phases_[count_ - 1].velocity_mps = Vec2::Zero();
 }
 
+const Phase& Motion::phase_at(double at_s) const {
+  std::size_t i = 0;
+  while (i + 1 < count_ && phases_[i + 1].begin_s <= at_s) ++i;
+  return phases_[i];
+}
+
 Motion braking(const Vec2& position_m, const Vec2& velocity_mps, double hold_s, double braking_mps2, double period_s) {
   Motion motion(position_m, velocity_mps);
   if (hold_s > 0.0 && !velocity_mps.isZero(0.0)) motion.then(Vec2::Zero(), hold_s);

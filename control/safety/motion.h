@@ -45,6 +45,9 @@ class Motion {
   /// Adds change_mps to the last phase's velocity, from its beginning on.
   void hit(const Vec2& change_mps) { phases_[count_ - 1].velocity_mps += change_mps; }
 
+  /// The phase that lasts at_s >= 0 seconds from now.
+  const Phase& phase_at(double at_s) const;
+
   std::span<const Phase> phases() const { return {phases_.data(), count_}; }
   /// When the last phase begins, seconds.
   double settled_s() const { return phases_[count_ - 1].begin_s; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "control/safety/separation.h"
+#include "world_model/types/crash_rule.h"
 
 namespace regista {
 namespace {
@@ -16,8 +17,12 @@ constexpr double kForeseen_s = 0.6;
 /// Robots side by side that graze go where they would have gone. Less than this is noise.
 constexpr double kSlight_mps = 0.3;
 
-/// What is left of the margins where a robot would otherwise be hit.
-constexpr double kHalf = 0.5;
+/// A crash that is so near to being our foul counts as one: by then a velocity is another one.
+constexpr double kNearlyFoul_mps = 0.4;
+/// What 1 m/s of a crash counts that is not our foul, against 1 for a foul.
+constexpr double kNoFoul = 0.1;
+/// What a crash at the horizon counts, against one now.
+constexpr double kAtHorizon = 0.5;
 
 Motion with(Motion motion, const Vec2& acceleration_mps2, double for_s) {
   if (for_s > 0.0) motion.then(acceleration_mps2, for_s);
@@ -49,6 +54,19 @@ Motion expected_motion(const Opponent& opponent, const Touch& touch, double last
   return with(motion, Vec2::Zero(), horizon_s - until_s);
 }
 
+/// Of two motions whose bodies touch at that moment.
+double cost_of_touch(const Motion& ours, const Motion& theirs, double at_s) {
+  const Phase& our_phase = ours.phase_at(at_s);
+  const Phase& their_phase = theirs.phase_at(at_s);
+  const double our_s = at_s - our_phase.begin_s;
+  const double their_s = at_s - their_phase.begin_s;
+  const Vec2 normal = (position_after(their_phase, their_s) - position_after(our_phase, our_s)).stableNormalized();
+  const double towards_mps = velocity_after(our_phase, our_s).dot(normal);
+  const double their_towards_mps = -velocity_after(their_phase, their_s).dot(normal);
+  const double excess_mps = foul_excess(towards_mps, their_towards_mps);
+  return excess_mps > -kNearlyFoul_mps ? 1.0 + excess_mps : kNoFoul * std::max(0.0, towards_mps + their_towards_mps);
+}
+
 }  // namespace
 
 void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits& limits, const SafetyParams& params,
@@ -56,6 +74,7 @@ void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits&
   bodies_m_ = 2.0 * limits.radius_m;
   gap_m_ = bodies_m_ + params.opponent_margin_m;
   horizon_s_ = params.horizon_s;
+  crash_horizon_s_ = params.crash_horizon_s;
   foresee_touches(opponents, bodies_m_, kForeseen_s, touches_);
   models_.clear();
   for (const Opponent& opponent : opponents) {
@@ -78,19 +97,23 @@ bool OpponentModels::is_clear_of_braking(const Motion& ours) const {
 }
 
 bool OpponentModels::is_clear_of_expected(const Motion& ours, Care care) const {
-  const double share = care == Care::half ? kHalf : 1.0;
-  const double gap_m = bodies_m_ + share * (gap_m_ - bodies_m_);
   return all([&](const Model& model) {
-    const double there_m = attainable_gap(gap_m, ours, model.expected);
+    const double there_m = attainable_gap(gap_m_, ours, model.expected);
     if (care == Care::steady_too && !keep_apart(ours, model.steady, {there_m}, horizon_s_)) return false;
-    return keep_apart(ours, model.expected, {there_m, share * model.growth_mps}, horizon_s_);
+    return keep_apart(ours, model.expected, {there_m, model.growth_mps}, horizon_s_);
   });
 }
 
-bool OpponentModels::hit_within(const Motion& ours, double within_s) const {
-  return !all([&](const Model& model) {
-    return keep_apart(ours, model.expected, {attainable_gap(bodies_m_, ours, model.expected)}, within_s);
-  });
+double OpponentModels::crash_cost(const Motion& ours) const {
+  double worst = 0.0;
+  for (const Model& model : models_) {
+    const Gap gap{attainable_gap(gap_m_, ours, model.expected)};
+    const double at_s = time_to_contact(ours, model.expected, gap, crash_horizon_s_);
+    if (at_s >= crash_horizon_s_) continue;
+    const double certainty = 1.0 - (1.0 - kAtHorizon) * at_s / crash_horizon_s_;
+    worst = std::max(worst, certainty * cost_of_touch(ours, model.expected, at_s));
+  }
+  return worst;
 }
 
 }  // namespace regista

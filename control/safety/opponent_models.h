@@ -14,8 +14,7 @@ namespace regista {
 
 /// How sure a motion is to be clear of where opponents are expected.
 enum class Care {
-  half,       ///< with half of the margins
-  margins,    ///< with all of them
+  margins,    ///< with the margins
   steady_too  ///< and also of where they are if their velocities stay as they are; that margin does not grow
 };
 
@@ -29,8 +28,10 @@ class OpponentModels {
   /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
   /// who else is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile.
   bool is_clear_of_expected(const Motion& ours, Care care = Care::margins) const;
-  /// True when a body is expected to touch ours within that time.
-  bool hit_within(const Motion& ours, double within_s) const;
+  /// How bad the worst crash is that is expected: 0 for none before the crash horizon, 1 and more for what would be our
+  /// foul by the crash rule, by m/s the more the clearer it is; any other is a lesser evil. Later is less certain and
+  /// counts less.
+  double crash_cost(const Motion& ours) const;
 
  private:
   struct Model {
@@ -59,6 +60,7 @@ class OpponentModels {
   double gap_m_ = 0.0;               ///< between centres, margin included
   double bodies_m_ = 0.0;            ///< between centres that touch
   double horizon_s_ = 0.0;
+  double crash_horizon_s_ = 0.0;
 };
 
 }  // namespace regista

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "control/motion_limits.h"
+#include "control/safety/motion.h"
+#include "control/safety/separation.h"
 
 namespace regista {
 namespace {

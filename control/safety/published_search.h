@@ -6,7 +6,9 @@
 #include <span>
 
 #include "control/safety/opponent.h"
-#include "control/safety/safety_search.h"
+#include "control/safety/safety_params.h"
+#include "control/safety/safety_robot.h"
+#include "world_model/types/robot_limits.h"
 
 namespace regista {
 

@@ -20,20 +20,20 @@ double first_root(double gap, double rate, double half) {
   return 2.0 * gap / (std::sqrt(discriminant) - rate);
 }
 
-/// Two points whose difference is that of `relative`, during length_s; gap as of its begin.
-bool keep_apart_while(const Phase& relative, double length_s, const Gap& gap) {
+/// Of two points whose difference is that of `relative`, during length_s; gap as of its begin.
+double time_to_contact(const Phase& relative, double length_s, const Gap& gap) {
   double t = 0.0;
   for (int i = 0; i < kSteps; ++i) {
     const Vec2 apart = position_after(relative, t);
     const double distance_m = apart.norm();
     const double left_m = distance_m - (gap.distance_m + gap.growth_mps * t);
-    if (!(left_m > 0.0)) return false;
+    if (!(left_m > 0.0)) return t;
     const Vec2 n = apart / distance_m;
     const double rate = n.dot(velocity_after(relative, t)) - gap.growth_mps;
     t += first_root(left_m, rate, n.dot(relative.acceleration_mps2) / 2.0);
-    if (t >= length_s) return true;
+    if (t >= length_s) return kNever;
   }
-  return false;
+  return t;
 }
 
 double end_of(std::span<const Phase> phases, std::size_t i) {
@@ -97,9 +97,13 @@ double attainable_gap(double wanted_m, const Motion& a, const Motion& b) {
 }
 
 bool keep_apart(const Motion& a, const Motion& b, const Gap& gap, double until_s) {
+  return time_to_contact(a, b, gap, until_s) == kNever;
+}
+
+double time_to_contact(const Motion& a, const Motion& b, const Gap& gap, double until_s) {
   const double largest_m = gap.growth_mps > 0.0 ? gap.distance_m + gap.growth_mps * until_s : gap.distance_m;
   if (stays_in_box(a, until_s) && stays_in_box(b, until_s) && boxes_are_apart(a, b, largest_m)) {
-    return true;
+    return kNever;
   }
   const std::span<const Phase> pa = a.phases();
   const std::span<const Phase> pb = b.phases();
@@ -114,8 +118,9 @@ bool keep_apart(const Motion& a, const Motion& b, const Gap& gap, double until_s
                          velocity_after(pa[i], since_a) - velocity_after(pb[j], since_b),
                          pa[i].acceleration_mps2 - pb[j].acceleration_mps2};
     const Gap now{gap.distance_m + gap.growth_mps * begin_s, gap.growth_mps};
-    if (!keep_apart_while(relative, end_s - begin_s, now)) return false;
-    if (end_s >= until_s) return true;
+    const double contact_s = time_to_contact(relative, end_s - begin_s, now);
+    if (contact_s < kNever) return begin_s + contact_s;
+    if (end_s >= until_s) return kNever;
     if (end_of(pa, i) <= end_s) ++i;
     if (end_of(pb, j) <= end_s) ++j;
     begin_s = end_s;

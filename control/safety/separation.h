@@ -33,6 +33,9 @@ double attainable_gap(double wanted_m, const Motion& a, const Motion& b);
 /// about for ever (infinite until_s) if the gap does not grow. At the start the gap must not be undercut: false there.
 bool keep_apart(const Motion& a, const Motion& b, const Gap& gap, double until_s);
 
+/// Seconds until they come nearer than the gap, likewise; infinite where they keep apart.
+double time_to_contact(const Motion& a, const Motion& b, const Gap& gap, double until_s);
+
 /// True when the moving point never comes nearer to the core of the shape (its point, segment or rectangle) than
 /// distance_m >= 0, for ever; the motion must come to rest. A start that is nearer: false; on the core likewise.
 bool keeps_off(const Motion& motion, const Obstacle& shape, double distance_m);

@@ -130,16 +130,18 @@ TEST_CASE("straight drivers reach their targets in about the least time, and mee
 }
 
 TEST_CASE("contacts with opponents, their fault, and what they push us into") {
-  // The opponent drives into Y0, which it pushes into Y1 behind.
+  // The opponent drives into Y0, which it pushes into Y1 behind, and that one into Y2, which no opponent ever touches.
   const std::vector<RobotPlacement> robots{{{Team::yellow, 0}, {{0.0, 0.0}, 0.0}},
                                            {{Team::yellow, 1}, {{0.2, 0.0}, 0.0}},
+                                           {{Team::yellow, 2}, {{0.4, 0.0}, 0.0}},
                                            {{Team::blue, 0}, {{-2.0, 0.0}, 0.0}}};
-  const ContactTally pushed = watched(
-      straight_loop(robots, targets_of(Team::yellow, {{0.0, 0.0}, {0.2, 0.0}}), targets_of(Team::blue, {{3.0, 0.0}})),
-      3.0);
+  const ContactTally pushed =
+      watched(straight_loop(robots, targets_of(Team::yellow, {{0.0, 0.0}, {0.2, 0.0}, {0.4, 0.0}}),
+                            targets_of(Team::blue, {{3.0, 0.0}})),
+              3.0);
   CHECK(pushed.opponent >= 1);
   CHECK(pushed.at_fault == 0);
-  CHECK(pushed.own >= 1);
+  CHECK(pushed.own >= 2);
   CHECK(pushed.own_pushed == pushed.own);
   CHECK(pushed.opponent_touching_s > 0.1);
 

@@ -6,6 +6,7 @@
 
 #include "control/safety/safety_search.h"
 #include "tests/control/ideal_team.h"
+#include "world_model/types/crash_rule.h"
 
 namespace regista {
 namespace {
@@ -15,11 +16,8 @@ using test::Dice;
 constexpr double kPeriod_s = 0.01;
 
 Vec2 place_at(const Motion& motion, double time_s) {
-  const Phase* phase = &motion.phases().front();
-  for (const Phase& one : motion.phases()) {
-    if (one.begin_s <= time_s) phase = &one;
-  }
-  return position_after(*phase, time_s - phase->begin_s);
+  const Phase& phase = motion.phase_at(time_s);
+  return position_after(phase, time_s - phase.begin_s);
 }
 
 /// Robots choose once among opponents.
@@ -94,12 +92,40 @@ TEST_CASE("who is seen to brake is expected to stand, not to drive on after a wh
   const Opponent brakes{{1.7, 0.0}, {-3.0, 0.0}, {4.0, 0.0}};
   models.set(std::span(&brakes, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
   CHECK(models.is_clear_of_expected(stands));
-  CHECK_FALSE(models.hit_within(stands, 1.0));
+  CHECK(models.crash_cost(stands) == 0.0);
   const Opponent drives{{1.7, 0.0}, {-3.0, 0.0}, Vec2::Zero()};
   models.set(std::span(&drives, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
   CHECK_FALSE(models.is_clear_of_expected(stands));
-  CHECK_FALSE(models.hit_within(stands, 0.50));
-  CHECK(models.hit_within(stands, 0.52));
+  CHECK(models.crash_cost(stands) > 0.0);
+}
+
+/// Of driving straight at an opponent that comes with that speed from 1 m away.
+double cost_of_meeting(double speed_mps, double opponent_mps, double horizon_s = SafetyParams{}.crash_horizon_s) {
+  const Opponent comes{{1.0, 0.0}, {-opponent_mps, 0.0}, Vec2::Zero()};
+  SafetyParams params;
+  params.crash_horizon_s = horizon_s;
+  OpponentModels models;
+  models.set(std::span(&comes, 1), RobotLimits{}, params, kPeriod_s);
+  return models.crash_cost(Motion(Vec2::Zero(), {speed_mps, 0.0}));
+}
+
+TEST_CASE("a crash costs more when it would be our foul, when it is nearer, and none when it is too far ahead") {
+  const double ours = cost_of_meeting(2.0, 1.0);
+  const double theirs = cost_of_meeting(1.0, 2.0);
+  const double slow = cost_of_meeting(0.5, 0.4);
+  CHECK(ours > 0.5);
+  CHECK(theirs > slow);
+  CHECK(slow > 0.0);
+  CHECK(theirs < ours / 2);
+  CHECK(cost_of_meeting(1.9, 2.0) > 2.0 * theirs);   // both are guilty
+  CHECK(cost_of_meeting(1.0, 0.45) > 2.0 * theirs);  // 1.45 m/s: no crash yet
+  CHECK(cost_of_meeting(3.0, 0.0) > cost_of_meeting(2.0, 0.0));
+  // 0.8 m at 3 m/s.
+  CHECK(cost_of_meeting(2.0, 1.0, 0.26) == 0.0);
+  CHECK(cost_of_meeting(2.0, 1.0, 0.28) > 0.0);
+  CHECK(cost_of_meeting(2.0, 1.0, 0.0) == 0.0);
+  CHECK(cost_of_meeting(2.0, 1.0, 2.0) > ours);
+  CHECK(cost_of_meeting(-2.0, -1.0) == 0.0);
 }
 
 TEST_CASE("who is about to hit another opponent is expected to go on with it, and not foreseen too far ahead") {
@@ -134,25 +160,23 @@ TEST_CASE("a neighbour beside an opponent hides neither its acceleration nor its
     all.insert(all.end(), around.begin(), around.end());
     models.set(all, RobotLimits{}, SafetyParams{}, kPeriod_s);
     CHECK_FALSE(models.is_clear_of_expected(Motion({0.6, 0.0}, Vec2::Zero())));
-    CHECK(models.hit_within(Motion({0.6, 0.0}, Vec2::Zero()), 1.0));
+    CHECK(models.crash_cost(Motion({0.6, 0.0}, Vec2::Zero())) > 0.0);
     all[0] = brakes;
     models.set(all, RobotLimits{}, SafetyParams{}, kPeriod_s);
     CHECK(models.is_clear_of_expected(Motion({0.9, 0.0}, Vec2::Zero())));
   }
 }
 
-TEST_CASE("margins grow on the way; half of them are half of that too") {
-  const auto is_clear = [](double beside_m, Care care) {
+TEST_CASE("margins grow on the way") {
+  const auto is_clear = [](double beside_m) {
     const Opponent passes{{-0.9, beside_m}, {1.0, 0.0}, Vec2::Zero()};
     OpponentModels models;
     models.set(std::span(&passes, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
-    return models.is_clear_of_expected(Motion(Vec2::Zero(), Vec2::Zero()), care);
+    return models.is_clear_of_expected(Motion(Vec2::Zero(), Vec2::Zero()));
   };
-  // After 0.9 s: bodies 0.18, margin 0.03, grown by 0.054.
-  CHECK_FALSE(is_clear(0.215, Care::half));
-  CHECK(is_clear(0.235, Care::half));
-  CHECK_FALSE(is_clear(0.255, Care::margins));
-  CHECK(is_clear(0.275, Care::margins));
+  // After 0.9 s: bodies 0.18, margin 0.02, grown by 0.054.
+  CHECK_FALSE(is_clear(0.245));
+  CHECK(is_clear(0.265));
 }
 
 TEST_CASE("a robot also keeps clear of an opponent that may stop accelerating") {
@@ -204,17 +228,39 @@ TEST_CASE("a foreseen touch is the first; if for both, it keeps the momentum and
   CHECK(touched > 100);
 }
 
-TEST_CASE("too late for all margins a robot dodges, and slows down meanwhile") {
+/// Ours at 2 m/s and an opponent at 1 m/s that drives on, nearly head on, too near to keep clear: the fault, if any.
+Fault fault_of_meeting(const SafetyParams& params) {
   SafetyRobot robot;
   robot.velocity_mps = {2.0, 0.0};
   robot.wanted_mps = {2.0, 0.0};
-  // A hit in 0.24 s, 130 mm off the centre; 3 m/s² make 217 mm of that: bodies and half of the margins, not all.
-  const Opponent comes{{1.1, 0.13}, {-2.0, 0.0}, Vec2::Zero()};
-  const Vec2 chosen = choice(robot, std::span(&comes, 1), {});
-  CHECK(chosen.y() < -0.005);
-  CHECK(chosen.x() < 2.0);
+  Opponent comes{{0.95, 0.02}, {-1.0, 0.0}, Vec2::Zero()};
+  for (int period = 0; period < 60; ++period) {
+    const Vec2 next_mps = choice(robot, std::span(&comes, 1), params);
+    robot.position_m += kPeriod_s / 2.0 * (robot.velocity_mps + next_mps);
+    robot.velocity_mps = next_mps;
+    comes.position_m += kPeriod_s * comes.velocity_mps;
+    const Vec2 apart = comes.position_m - robot.position_m;
+    if (apart.norm() > 0.18) continue;
+    return crash_fault(next_mps.dot(apart.normalized()), -comes.velocity_mps.dot(apart.normalized()));
+  }
+  return Fault::none;
+}
+
+TEST_CASE("where a crash cannot be avoided any more, it is not our foul; who only brakes commits one") {
+  CHECK(fault_of_meeting({}) == Fault::none);
   SafetyParams stubborn;
-  stubborn.way_through_s = 0.0;
+  stubborn.crash_horizon_s = 0.0;
+  CHECK(fault_of_meeting(stubborn) != Fault::none);
+}
+
+TEST_CASE("too late for all margins a robot dodges") {
+  SafetyRobot robot;
+  robot.velocity_mps = {2.0, 0.0};
+  robot.wanted_mps = {2.0, 0.0};
+  const Opponent comes{{1.1, 0.13}, {-2.0, 0.0}, Vec2::Zero()};
+  CHECK(choice(robot, std::span(&comes, 1), {}).y() < -0.005);
+  SafetyParams stubborn;
+  stubborn.crash_horizon_s = 0.0;
   CHECK(choice(robot, std::span(&comes, 1), stubborn).y() == Approx(0.0).margin(1e-12));
 }
 
@@ -230,10 +276,11 @@ TEST_CASE("in the line of fire a robot goes aside at once instead of braking int
                                  SafetyParams{}.evasion_long_s, 3.0, kPeriod_s, 1.0);
   OpponentModels models;
   models.set(std::span(&fast, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
-  CHECK_FALSE(models.hit_within(aside, 1.0));
+  CHECK(models.crash_cost(aside) == 0.0);
   SafetyParams never_lasting;
   never_lasting.evasion_short_s = 0.0;
   never_lasting.evasion_long_s = 0.0;
+  never_lasting.crash_horizon_s = 0.0;
   CHECK(std::abs(choice(robot, std::span(&fast, 1), never_lasting).y()) < 0.01);
 }
 

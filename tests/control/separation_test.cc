@@ -50,7 +50,20 @@ TEST_CASE("two motions keep apart exactly up to their least distance") {
     CHECK(keep_apart(a, b, {least_m - kGraze_m}, kNever));
     CHECK_FALSE(keep_apart(a, b, {least_m + kGraze_m}, kNever));
     CHECK(keep_apart(b, a, {least_m - kGraze_m}, kNever));
-    near += least_m < (a.phases()[0].position_m - b.phases()[0].position_m).norm() ? 1 : 0;
+    const double start_m = (a.phases()[0].position_m - b.phases()[0].position_m).norm();
+    if (least_m > start_m - 1e-3) continue;
+    ++near;
+    // At the time of contact they are so near, and never before.
+    const double gap_m = (least_m + start_m) / 2.0;
+    const double contact_s = time_to_contact(a, b, {gap_m}, kNever);
+    REQUIRE(contact_s < kNever);
+    const auto distance_m = [&](double at_s) {
+      const Phase& of_a = a.phase_at(at_s);
+      const Phase& of_b = b.phase_at(at_s);
+      return (position_after(of_a, at_s - of_a.begin_s) - position_after(of_b, at_s - of_b.begin_s)).norm();
+    };
+    CHECK(distance_m(contact_s) == Approx(gap_m).margin(1e-6));
+    for (int k = 0; k < 20; ++k) CHECK(distance_m(contact_s * k / 20.0) >= gap_m - 1e-6);
   }
   CHECK(near > share_of(1'000));
 }

@@ -96,6 +96,18 @@ TEST_CASE("judgement is the same in a turned or mirrored world, and does not dep
   CHECK(guilty > 200);
 }
 
+TEST_CASE("how far a speed is beyond a foul is positive exactly where it is one, and goes down with it") {
+  std::mt19937_64 random(12);
+  for (int i = 0; i < 2000; ++i) {
+    const double first = uniform(random, -3.0, 3.0);
+    const double second = uniform(random, -3.0, 3.0);
+    const Fault fault = crash_fault(first, second);
+    INFO(first << " and " << second << " m/s towards each other");
+    CHECK((foul_excess(first, second) > 0.0) == (fault == Fault::first || fault == Fault::both));
+    CHECK(foul_excess(first - 0.1, second) == Approx(foul_excess(first, second) - 0.1));
+  }
+}
+
 TEST_CASE("a contact begins below two radii and ends 1 cm above") {
   const auto at = [](double distance_m) {
     return std::vector<RobotBody>{body(kYellow, {0, 0}, {0, 0}), body(kBlue, {0, distance_m}, {0, 0})};

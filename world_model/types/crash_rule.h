@@ -1,6 +1,7 @@
 // The league's crash rule: who is to blame when two robots of different teams touch.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -18,6 +19,13 @@ inline Fault crash_fault(double first_towards_mps, double second_towards_mps) {
   if (first_towards_mps + second_towards_mps <= kCrashSpeed_mps) return Fault::none;
   if (std::abs(first_towards_mps - second_towards_mps) < kCrashDifference_mps) return Fault::both;
   return first_towards_mps > second_towards_mps ? Fault::first : Fault::second;
+}
+
+/// How far the first one's speed towards the other is beyond what makes the crash its foul, its own or shared, m/s;
+/// negative where it is no foul of its.
+inline double foul_excess(double first_towards_mps, double second_towards_mps) {
+  return std::min(first_towards_mps + second_towards_mps - kCrashSpeed_mps,
+                  first_towards_mps - second_towards_mps + kCrashDifference_mps);
 }
 
 }  // namespace regista

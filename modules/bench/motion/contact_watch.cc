@@ -46,7 +46,11 @@ void ContactWatch::begin(const Contact& contact) {
     return;
   }
   ++tally_.own;
-  if (was_pushed(contact.first, contact.at) || was_pushed(contact.second, contact.at)) ++tally_.own_pushed;
+  if (!was_pushed(contact.first, contact.at) && !was_pushed(contact.second, contact.at)) return;
+  ++tally_.own_pushed;
+  // It passes the push on: neither goes where it wanted.
+  pushed_at_[contact.first] = contact.at;
+  pushed_at_[contact.second] = contact.at;
 }
 
 bool ContactWatch::was_pushed(RobotId robot, Time now) const {

@@ -9,12 +9,13 @@
 
 namespace regista::bench {
 
-/// An own contact within this time after an opponent touched one of the two counts as the opponent's push.
+/// An own contact within this time after an opponent, or a team-mate it had pushed, touched one of the two counts as
+/// the opponent's push.
 inline constexpr Duration kPushMemory{1'000'000};
 
 struct ContactTally {
   std::int64_t own = 0;         ///< between two robots of the team
-  std::int64_t own_pushed = 0;  ///< of these, soon after an opponent touched one of the two
+  std::int64_t own_pushed = 0;  ///< of these, soon after an opponent's push
   double own_touching_s = 0.0;  ///< summed over pairs
   std::int64_t opponent = 0;
   double opponent_touching_s = 0.0;
@@ -44,7 +45,7 @@ class ContactWatch {
   double robot_radius_m_;
   std::int64_t seen_ = 0;
   std::vector<Touch> touching_;
-  std::map<RobotId, Time> pushed_at_;  ///< our robots: when an opponent touched them last
+  std::map<RobotId, Time> pushed_at_;  ///< our robots: when they were last pushed
   ContactTally tally_;
 };
 

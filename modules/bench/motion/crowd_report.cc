@@ -88,7 +88,9 @@ Table crowd_scores(const std::vector<CrowdRow>& rows, const CrowdOptions& option
   table.notes = {how(options),
                  "opponents: system as we are; random: straight to random targets at up to 2 m/s, avoiding nobody; "
                  "chaser: to our nearest robot at 3 m/s; none: our robots pass through each other",
-                 "pushed: within 1 s after an opponent touched one of the two; fault by the crash rule"};
+                 "pushed: within 1 s after an opponent touched one of the two, or a team-mate it had pushed did; fault "
+                 "by the crash "
+                 "rule"};
   return table;
 }
 
