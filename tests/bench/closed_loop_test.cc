@@ -152,6 +152,17 @@ TEST_CASE("contacts with opponents, their fault, and what they push us into") {
       watched(straight_loop(guilty, targets_of(Team::yellow, {{3.0, 0.0}}), targets_of(Team::blue, {{0.0, 0.0}})), 2.0);
   CHECK(fault.opponent >= 1);
   CHECK(fault.at_fault >= 1);
+  CHECK(fault.at_fault_pushed < fault.at_fault);  // the first one was its own
+
+  // The same, when it grazed another one just before.
+  const std::vector<RobotPlacement> grazing{{{Team::yellow, 0}, {{-2.0, 0.0}, 0.0}},
+                                            {{Team::blue, 0}, {{0.0, 0.175}, 0.0}},
+                                            {{Team::blue, 1}, {{0.8, -0.05}, 0.0}}};
+  const ContactTally grazed = watched(straight_loop(grazing, targets_of(Team::yellow, {{3.0, 0.0}}),
+                                                    targets_of(Team::blue, {{0.0, 0.175}, {0.8, -0.05}})),
+                                      2.0);
+  CHECK(grazed.opponent >= 2);
+  CHECK(grazed.at_fault_pushed >= 1);
 }
 
 /// Tells a robot to be faster than it can.

@@ -11,6 +11,7 @@ ContactTally& ContactTally::operator+=(const ContactTally& other) {
   opponent += other.opponent;
   opponent_touching_s += other.opponent_touching_s;
   at_fault += other.at_fault;
+  at_fault_pushed += other.at_fault_pushed;
   return *this;
 }
 
@@ -42,7 +43,10 @@ void ContactWatch::begin(const Contact& contact) {
   touching_.push_back({contact.first, contact.second});
   if (ours_first != ours_second) {
     ++tally_.opponent;
-    pushed_at_[ours_first ? contact.first : contact.second] = contact.at;
+    const RobotId ours = ours_first ? contact.first : contact.second;
+    const bool is_guilty = contact.fault == Fault::both || contact.fault == (ours_first ? Fault::first : Fault::second);
+    if (is_guilty && was_pushed(ours, contact.at)) ++tally_.at_fault_pushed;
+    pushed_at_[ours] = contact.at;
     return;
   }
   ++tally_.own;

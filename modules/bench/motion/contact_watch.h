@@ -9,7 +9,7 @@
 
 namespace regista::bench {
 
-/// An own contact within this time after an opponent, or a team-mate it had pushed, touched one of the two counts as
+/// A contact within this time after an opponent, or a team-mate it had pushed, touched one of the two counts as
 /// the opponent's push.
 inline constexpr Duration kPushMemory{1'000'000};
 
@@ -19,7 +19,8 @@ struct ContactTally {
   double own_touching_s = 0.0;  ///< summed over pairs
   std::int64_t opponent = 0;
   double opponent_touching_s = 0.0;
-  std::int64_t at_fault = 0;  ///< contacts with opponents, ours alone or shared guilt
+  std::int64_t at_fault = 0;         ///< contacts with opponents, ours alone or shared guilt
+  std::int64_t at_fault_pushed = 0;  ///< of these, soon after another push of an opponent
 
   ContactTally& operator+=(const ContactTally& other);
   bool operator==(const ContactTally&) const = default;

@@ -71,7 +71,8 @@ Table crowd_scores(const std::vector<CrowdRow>& rows, const CrowdOptions& option
                {"of these pushed", "1/robot-min"},
                {"own touching", "s/robot-min"},
                {"with opponents", "1/robot-min"},
-               {"our fault", "1/robot-min"}}};
+               {"our fault", "1/robot-min"},
+               {"of these pushed too", "1/robot-min"}}};
   for (const CrowdRow& row : rows) {
     const CrowdGame& game = row.game;
     const CrowdScore& score = row.score;
@@ -79,18 +80,18 @@ Table crowd_scores(const std::vector<CrowdRow>& rows, const CrowdOptions& option
     const ContactTally& contacts = score.contacts;
     const auto rate = [&score](auto count) { return score.per_robot_minute(static_cast<double>(count)); };
     std::vector<Cell> cells = game_cells(game);
-    cells.insert(cells.end(),
-                 {score.minutes, score.pace(), Cell(), contacts.own, rate(contacts.own), rate(contacts.own_pushed),
-                  rate(contacts.own_touching_s), rate(contacts.opponent), rate(contacts.at_fault)});
+    cells.insert(cells.end(), {score.minutes, score.pace(), Cell(), contacts.own, rate(contacts.own),
+                               rate(contacts.own_pushed), rate(contacts.own_touching_s), rate(contacts.opponent),
+                               rate(contacts.at_fault), rate(contacts.at_fault_pushed)});
     if (free != nullptr && free->score.reached > 0) cells[5] = 100.0 * score.pace() / free->score.pace();
     table.add(cells);
   }
-  table.notes = {how(options),
-                 "opponents: system as we are; random: straight to random targets at up to 2 m/s, avoiding nobody; "
-                 "chaser: to our nearest robot at 3 m/s; none: our robots pass through each other",
-                 "pushed: within 1 s after an opponent touched one of the two, or a team-mate it had pushed did; fault "
-                 "by the crash "
-                 "rule"};
+  table.notes = {
+      how(options),
+      "opponents: system as we are; random: straight to random targets at up to 2 m/s, avoiding nobody; "
+      "chaser: to our nearest robot at 3 m/s; none: our robots pass through each other",
+      "pushed: within 1 s after an opponent touched one of ours that meet, or a team-mate it had pushed did; "
+      "fault by the crash rule"};
   return table;
 }
 
