@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-// A function of which the program holds a second version for processors with wider registers; both do the same
-// operations and give the same bits.
+// A function of which the program holds a second version for processors with wider registers. Both do the same
+// operations, without contraction; what they let through is tested exactly anyway.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define REGISTA_WIDE __attribute__((target_clones("avx2", "default")))
 #else

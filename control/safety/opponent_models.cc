@@ -54,7 +54,7 @@ Motion expected_motion(const Opponent& opponent, const Touch& touch, double last
   return with(motion, Vec2::Zero(), horizon_s - until_s);
 }
 
-/// Of two motions whose bodies touch at that moment.
+/// Of two motions that come as near as the margin at that moment.
 double cost_of_touch(const Motion& ours, const Motion& theirs, double at_s) {
   const Phase& our_phase = ours.phase_at(at_s);
   const Phase& their_phase = theirs.phase_at(at_s);
@@ -71,11 +71,11 @@ double cost_of_touch(const Motion& ours, const Motion& theirs, double at_s) {
 
 void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits& limits, const SafetyParams& params,
                          double period_s) {
-  bodies_m_ = 2.0 * limits.radius_m;
-  gap_m_ = bodies_m_ + params.opponent_margin_m;
+  const double bodies_m = 2.0 * limits.radius_m;
+  gap_m_ = bodies_m + params.opponent_margin_m;
   horizon_s_ = params.horizon_s;
   crash_horizon_s_ = params.crash_horizon_s;
-  foresee_touches(opponents, bodies_m_, kForeseen_s, touches_);
+  foresee_touches(opponents, bodies_m, kForeseen_s, touches_);
   models_.clear();
   for (const Opponent& opponent : opponents) {
     const Touch& touch = touches_[models_.size()];

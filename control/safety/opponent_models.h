@@ -23,14 +23,14 @@ class OpponentModels {
   /// From now on the answers are about these. period_s > 0.
   void set(std::span<const Opponent> opponents, const RobotLimits& limits, const SafetyParams& params, double period_s);
 
-  /// Of all opponents that brake from now on, for ever; with the margins for what they may do within a period.
+  /// Of all opponents that brake from now on, for ever; the margin grows with their speed (opponent_reaction_s).
   bool is_clear_of_braking(const Motion& ours) const;
   /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
   /// who else is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile.
   bool is_clear_of_expected(const Motion& ours, Care care = Care::margins) const;
-  /// How bad the worst crash is that is expected: 0 for none before the crash horizon, 1 and more for what would be our
-  /// foul by the crash rule, by m/s the more the clearer it is; any other is a lesser evil. Later is less certain and
-  /// counts less.
+  /// How bad the worst crash is that is expected: 0 where nobody is expected within the margin before the crash
+  /// horizon, 1 and more for what would be our foul by the crash rule, by m/s the more the clearer it is; any other is
+  /// a lesser evil. Later is less certain and counts less.
   double crash_cost(const Motion& ours) const;
 
  private:
@@ -58,7 +58,6 @@ class OpponentModels {
   mutable std::size_t blocker_ = 0;  ///< changes no answer
   std::vector<Touch> touches_;       ///< scratch
   double gap_m_ = 0.0;               ///< between centres, margin included
-  double bodies_m_ = 0.0;            ///< between centres that touch
   double horizon_s_ = 0.0;
   double crash_horizon_s_ = 0.0;
 };

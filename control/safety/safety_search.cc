@@ -6,6 +6,7 @@
 #include "planning/clearance.h"
 
 namespace regista {
+
 void SafetySearch::choose(std::span<const SafetyRobot> team, std::span<const Opponent> opponents,
                           const Surroundings& around, const RobotLimits& limits, const SafetyParams& params,
                           double period_s, std::vector<Vec2>& chosen_mps) {
@@ -67,23 +68,16 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
     }
     return best == Safety::ahead;
   };
-  samples_.clear();
-  const Vec2 wanted =
-      limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_, period_s_);
-  if (!consider(wanted)) {
-    sample_velocities(self, *limits_, params_->directions, period_s_, samples_);
-    for (const auto& [distance, next_mps] : samples_) {
-      if (consider(next_mps)) break;
-    }
+  sample_velocities(self, *limits_, params_->directions, period_s_, samples_);
+  for (const auto& [distance, next_mps] : samples_) {
+    if (consider(next_mps)) break;
   }
   if (best >= Safety::opponents_expected) return promise(robot, chosen, params_->hold_s);
   // Braking is held to what it is: who brakes to dodge a little later could as well dodge now, and drive on.
   const bool is_clear_of_braking = best == Safety::opponents_brake;
   const Choice instead = is_clear_of_braking ? chosen : braking_of(robot);
   const double cost = is_clear_of_braking ? crash_cost(robot, chosen) : opponents_.crash_cost(instead.motion);
-  const Choice lightest = lightest_crash(robot, instead, cost);
-  const bool brakes = !is_clear_of_braking && lightest.next_mps == instead.next_mps;
-  return promise(robot, lightest, brakes ? 0.0 : params_->hold_s);
+  return promise(robot, lightest_crash(robot, instead, cost), params_->hold_s);
 }
 
 /// Where no evasion is clear of where opponents are expected, the possible velocity that ends best; `instead` if none
@@ -103,8 +97,7 @@ SafetySearch::Choice SafetySearch::lightest_crash(std::size_t robot, const Choic
 }
 
 SafetySearch::Safety SafetySearch::safety_of(std::size_t robot, const Choice& choice, Safety best) const {
-  if (!is_possible(robot, choice.motion)) return Safety::none;
-  if (!opponents_.is_clear_of_braking(choice.motion)) return Safety::team;
+  if (!is_possible(robot, choice.motion) || !opponents_.is_clear_of_braking(choice.motion)) return Safety::none;
   if (best < Safety::opponents_expected && !is_clear_of_expected(robot, choice, Care::margins)) {
     return Safety::opponents_brake;
   }

@@ -33,10 +33,10 @@ class SafetySearch {
               const RobotLimits& limits, const SafetyParams& params, double period_s, std::vector<Vec2>& chosen_mps);
 
  private:
-  /// How much of what is wanted of a motion holds, by rank. All but `none` keep clear of the team's promises and of
-  /// what stands. `opponents_brake`: clear of opponents that brake. From `opponents_expected` on: of where they are
-  /// expected too. `ahead`: also of opponents that keep their velocities and of where team-mates are expected.
-  enum class Safety { none, team, opponents_brake, opponents_expected, ahead };
+  /// How much of what is wanted of a motion holds, by rank. All but `none` keep clear of the team's promises, of what
+  /// stands, and of opponents that brake. From `opponents_expected` on: of where opponents are expected too. `ahead`:
+  /// also of opponents that keep their velocities and of where team-mates are expected.
+  enum class Safety { none, opponents_brake, opponents_expected, ahead };
   /// A velocity after this period and what it promises: to brake then.
   struct Choice {
     Vec2 next_mps = Vec2::Zero();

@@ -21,7 +21,7 @@ double first_root(double gap, double rate, double half) {
 }
 
 /// Of two points whose difference is that of `relative`, during length_s; gap as of its begin.
-double time_to_contact(const Phase& relative, double length_s, const Gap& gap) {
+double time_to_contact_while(const Phase& relative, double length_s, const Gap& gap) {
   double t = 0.0;
   for (int i = 0; i < kSteps; ++i) {
     const Vec2 apart = position_after(relative, t);
@@ -118,7 +118,7 @@ double time_to_contact(const Motion& a, const Motion& b, const Gap& gap, double 
                          velocity_after(pa[i], since_a) - velocity_after(pb[j], since_b),
                          pa[i].acceleration_mps2 - pb[j].acceleration_mps2};
     const Gap now{gap.distance_m + gap.growth_mps * begin_s, gap.growth_mps};
-    const double contact_s = time_to_contact(relative, end_s - begin_s, now);
+    const double contact_s = time_to_contact_while(relative, end_s - begin_s, now);
     if (contact_s < kNever) return begin_s + contact_s;
     if (end_s >= until_s) return kNever;
     if (end_of(pa, i) <= end_s) ++i;

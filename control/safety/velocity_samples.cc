@@ -23,6 +23,7 @@ void sample_velocities(const SafetyRobot& robot, const RobotLimits& limits, std:
         limited_velocity(robot.velocity_mps, clamped_norm(velocity_mps, robot.speed_max_mps), limits, period_s);
     out.emplace_back((reachable - robot.wanted_mps).squaredNorm(), reachable);
   };
+  add(robot.wanted_mps);
   add(Vec2::Zero());
   add(robot.velocity_mps);
   // Directions are counted from the wanted one, so that turning the field turns the answer.
@@ -37,7 +38,8 @@ void sample_velocities(const SafetyRobot& robot, const RobotLimits& limits, std:
       add(robot.velocity_mps + magnitude * (furthest - robot.velocity_mps));
     }
   }
-  std::stable_sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  // The wish as far as it can be granted comes first, even where another sample is nearer to it.
+  std::stable_sort(out.begin() + 1, out.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
 }  // namespace regista

@@ -13,8 +13,8 @@ namespace regista {
 /// A velocity and its squared distance from the wanted one.
 using VelocitySample = std::pair<double, Vec2>;
 
-/// `out` becomes standing, driving on, and three magnitudes of acceleration in each of so many directions, all as far
-/// as they can be reached within period_s, nearest to the wanted velocity first.
+/// `out` becomes the wanted velocity; then, nearest to it first, standing, driving on, and three magnitudes of
+/// acceleration in each of so many directions. All as far as they can be reached within period_s.
 void sample_velocities(const SafetyRobot& robot, const RobotLimits& limits, std::int64_t directions, double period_s,
                        std::vector<VelocitySample>& out);
 

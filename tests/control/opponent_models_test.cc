@@ -3,6 +3,7 @@
 #include "control/safety/opponent_models.h"
 
 #include <catch2/catch.hpp>
+#include <optional>
 
 #include "control/safety/safety_search.h"
 #include "tests/control/ideal_team.h"
@@ -119,6 +120,8 @@ TEST_CASE("a crash costs more when it would be our foul, when it is nearer, and 
   CHECK(theirs < ours / 2);
   CHECK(cost_of_meeting(1.9, 2.0) > 2.0 * theirs);   // both are guilty
   CHECK(cost_of_meeting(1.0, 0.45) > 2.0 * theirs);  // 1.45 m/s: no crash yet
+  CHECK(cost_of_meeting(1.0, 0.2) > 1.5 * theirs);   // nearly one
+  CHECK(cost_of_meeting(1.0, 0.05) < theirs);        // not even nearly
   CHECK(cost_of_meeting(3.0, 0.0) > cost_of_meeting(2.0, 0.0));
   // 0.8 m at 3 m/s.
   CHECK(cost_of_meeting(2.0, 1.0, 0.26) == 0.0);
@@ -228,8 +231,35 @@ TEST_CASE("a foreseen touch is the first; if for both, it keeps the momentum and
   CHECK(touched > 100);
 }
 
+TEST_CASE("of several crashes the worst counts, whichever opponent comes first") {
+  const Motion ours(Vec2::Zero(), {2.0, 0.0});
+  const Opponent foul{{1.0, 0.0}, {-1.0, 0.0}, Vec2::Zero()};
+  const Opponent no_foul{{-0.5, 0.0}, {2.5, 0.0}, Vec2::Zero()};
+  const auto cost_of = [&](const std::vector<Opponent>& opponents) {
+    OpponentModels models;
+    models.set(opponents, RobotLimits{}, SafetyParams{}, kPeriod_s);
+    return models.crash_cost(ours);
+  };
+  REQUIRE(cost_of({foul}) > cost_of({no_foul}));
+  REQUIRE(cost_of({no_foul}) > 0.0);
+  CHECK(cost_of({foul, no_foul}) == cost_of({foul}));
+  CHECK(cost_of({no_foul, foul}) == cost_of({foul}));
+}
+
+TEST_CASE("the margin to an opponent's braking grows with its speed") {
+  const auto is_clear = [](double beside_m) {
+    const Opponent passes{{-0.5, beside_m}, {3.0, 0.0}, Vec2::Zero()};
+    OpponentModels models;
+    models.set(std::span(&passes, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+    return models.is_clear_of_braking(Motion(Vec2::Zero(), Vec2::Zero()));
+  };
+  // Bodies 0.18, margin 0.02, 0.018 s at 3 m/s.
+  CHECK_FALSE(is_clear(0.25));
+  CHECK(is_clear(0.26));
+}
+
 /// Ours at 2 m/s and an opponent at 1 m/s that drives on, nearly head on, too near to keep clear: the fault, if any.
-Fault fault_of_meeting(const SafetyParams& params) {
+std::optional<Fault> fault_of_meeting(const SafetyParams& params) {
   SafetyRobot robot;
   robot.velocity_mps = {2.0, 0.0};
   robot.wanted_mps = {2.0, 0.0};
@@ -243,14 +273,16 @@ Fault fault_of_meeting(const SafetyParams& params) {
     if (apart.norm() > 0.18) continue;
     return crash_fault(next_mps.dot(apart.normalized()), -comes.velocity_mps.dot(apart.normalized()));
   }
-  return Fault::none;
+  return std::nullopt;
 }
 
 TEST_CASE("where a crash cannot be avoided any more, it is not our foul; who only brakes commits one") {
   CHECK(fault_of_meeting({}) == Fault::none);
   SafetyParams stubborn;
   stubborn.crash_horizon_s = 0.0;
-  CHECK(fault_of_meeting(stubborn) != Fault::none);
+  const std::optional<Fault> fault = fault_of_meeting(stubborn);
+  REQUIRE(fault.has_value());
+  CHECK((*fault == Fault::first || *fault == Fault::both));
 }
 
 TEST_CASE("too late for all margins a robot dodges") {

@@ -49,7 +49,6 @@ MotionScene circle_swap(std::size_t robots, double radius_m, bool two_teams) {
 
 MotionScene corridor() {
   MotionScene scene("corridor, head on");
-  scene.settings = {"planner.opponent_margin_m=0.03"};
   scene.field.length_m = 8.0;
   scene.field.width_m = 3.0;
   scene.field.defence_depth_m = 0.5;
