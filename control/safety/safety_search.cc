@@ -68,9 +68,13 @@ Vec2 SafetySearch::choose_for(std::size_t robot) {
     }
     return best == Safety::ahead;
   };
-  sample_velocities(self, *limits_, params_->directions, period_s_, samples_);
-  for (const auto& [distance, next_mps] : samples_) {
-    if (consider(next_mps)) break;
+  const Vec2 wanted =
+      limited_velocity(self.velocity_mps, clamped_norm(self.wanted_mps, self.speed_max_mps), *limits_, period_s_);
+  if (!consider(wanted)) {
+    sample_velocities(self, *limits_, params_->directions, period_s_, samples_);
+    for (const auto& [distance, next_mps] : samples_) {
+      if (consider(next_mps)) break;
+    }
   }
   if (best >= Safety::opponents_expected) return promise(robot, chosen, params_->hold_s);
   // Braking is held to what it is: who brakes to dodge a little later could as well dodge now, and drive on.
