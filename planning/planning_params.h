@@ -31,8 +31,8 @@ struct PlanningParams {
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
-  /// Keeping to a side costs targets among moving robots (0.05: 5 %): what moves is better passed on the other side
-  /// soon. In the main job 0.05 takes away a half of the changes within 0.2 s.
+  /// Keeping to a side costs targets among moving robots (0.05: 5 %, 0.2: 10 %): what moves is better passed on the
+  /// other side soon. In the main job 0.2 takes away a fifth of the changes within 0.2 s.
   double side_change_gain = 0.0;
   std::int64_t iterations = 2500;         ///< samples a random planner may draw (N of Costa & Tonidandel)
   std::int64_t anytime_iterations = 200;  ///< where no time ends an anytime planner: about a millisecond of RRT*

@@ -10,7 +10,7 @@ Surroundings surroundings_of(Team team, const FieldGeometry& field, const WorldS
   bare.robot_radius_m = robot_radius_m;
   bare.area_margin_m = 0.0;
   bare.wall_margin_m = 0.0;
-  bare.rules.margin_m = 0.02;  // by so much a robot that was pushed or seen wrongly comes nearer than it was meant to
+  bare.rules.margin_m = 0.03;  // by so much a robot that was pushed or seen wrongly comes nearer than it was meant to
   return {half_extent(field, robot_radius_m), static_obstacles(team, field, world, situation, bare), kOwnArea};
 }
 
