@@ -19,8 +19,8 @@ struct SafetyParams {
   double braking_share = 0.9;
   double opponent_margin_m = 0.02;  ///< likewise; what they may do is in the margins below
   /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
-  /// braking = 17.5 ms at 100 Hz, rounded up: so of opponents that do as we do we keep clear for certain. 0.01 gains
-  /// 1 % of the pace and now and then has a contact with those.
+  /// braking = 17.5 ms at 100 Hz, rounded up: so who is clear of opponents' braking still is a period later. 0.01 gains
+  /// 1 % of the pace and now and then has a contact with opponents that do as we do.
   double opponent_reaction_s = 0.018;
   double acceleration_lasts_s = 0.3;  ///< an opponent's acceleration is taken to last so long, or until it stands
   /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share
@@ -34,7 +34,7 @@ struct SafetyParams {
   double evasion_long_s = 0.6;
   /// Who cannot keep clear of where opponents are expected takes the velocity with the lightest crash before this time;
   /// 0: none is looked for, and it keeps clear of opponents that brake, or else brakes itself. Among opponents that
-  /// avoid nobody this takes away half of the contacts and most of the fouls that braking leaves (README).
+  /// avoid nobody this takes away half of the contacts and most of the fouls that braking leaves.
   double crash_horizon_s = 1.0;
   /// Directions of sampled accelerations; each with three magnitudes. About two samples are tested per robot, more have
   /// bought nothing.
