@@ -20,8 +20,7 @@ struct MotionScene {
   std::vector<RobotPlacement> robots;
   std::array<Targets, 2> targets;                                               ///< by Team
   std::array<SceneDriver, 2> drivers{SceneDriver::system, SceneDriver::still};  ///< by Team
-  std::vector<std::string> settings;  ///< what the system is told of this place, under SystemChoice's own
-  double limit_s = 30.0;              ///< the scene ends then at the latest
+  double limit_s = 30.0;                                                        ///< the scene ends then at the latest
 
   explicit MotionScene(std::string scene_name);
   /// A robot that stands at `from` and, where it is driven, is to go to `to`.

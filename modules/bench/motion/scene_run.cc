@@ -91,9 +91,7 @@ double straight_drive_s(double distance_m, const RobotLimits& limits) {
 
 SceneScore play_scene(const MotionScene& scene, const SystemChoice& system, const std::string& preset,
                       std::uint64_t seed, const std::function<void(const ClosedLoop&)>& look) {
-  SystemChoice choice = system;
-  choice.settings.insert(choice.settings.begin(), scene.settings.begin(), scene.settings.end());
-  LoopSetup setup = setup_of(scene, loop_config(choice, preset), seed);
+  LoopSetup setup = setup_of(scene, loop_config(system, preset), seed);
   std::vector<Watch> watches = watches_of(scene, setup.sim.params.limits);
   ClosedLoop loop(std::move(setup));
   const auto time_s = [&loop] { return to_seconds(loop.simulator().now() - Time{}); };
