@@ -15,6 +15,12 @@ constexpr double kRounding_m = 1e-12;
 /// Departures that lead on over so much longer ways than what is being looked at wait.
 constexpr double kDetour_m = 0.4;  // measured: from 0.05 to 0.4 the time falls by 2 %
 
+/// Short searches end before a better estimate has paid.
+constexpr int kLegsBeforeDetours = 3;
+
+/// A better estimate by less is not worth the queue's work. Metres.
+constexpr double kPutOff_m = 1e-9;
+
 /// Half of a disc's boundary, in order. Where nothing cuts the disc, who goes on farther has gone the longer way round.
 constexpr double kHalfRound = 2.0;
 
@@ -60,6 +66,25 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
   first_here = arrival;
   make_departures(arrival);
   depart(arrival, goal_, 1.0, kGoalState);
+  return true;
+}
+
+/// No way that goes on from there is shorter.
+double TangentFront::least_to_goal_m(const Vec2& from) {
+  if (legs_tested_ < kLegsBeforeDetours) return (query_.goal - from).norm();
+  for (std::size_t slot = detours_.size(); slot < active_.size(); ++slot) {
+    detours_.add(field_->obstacles()[active_.list()[slot]], field_->bounds());
+  }
+  return detours_.least_m(from, query_.goal);
+}
+
+/// What has become active since the leg was made shows that it leads to longer ways: it goes back into the queue.
+bool TangentFront::is_put_off(const SearchQueue::Entry& entry) {
+  const Leg& leg = legs_[entry.index];
+  if (leg.state == kGoalState || leg.free_of == active_.size()) return false;
+  const double estimate_m = leg.cost + least_to_goal_m(leg.to.point);
+  if (estimate_m <= entry.estimate_m + kPutOff_m) return false;
+  queue_.push({estimate_m, entry.index, false});
   return true;
 }
 
@@ -114,7 +139,7 @@ void TangentFront::depart(ArrivalIndex index, const Body& to, double to_side, St
       return;
     const double along_m = is_start ? 0.0 : travel_m(from, legs_[arrival.leg].to, tangent.from, side);
     const double cost = arrival.departure.cost_m + along_m + tangent.length_m;
-    const double estimate_m = cost + (goal_.corners[0] - tangent.to.point).norm();
+    const double estimate_m = cost + least_to_goal_m(tangent.to.point);
     queue_.push({estimate_m, static_cast<LegIndex>(legs_.size()), false});
     legs_.push_back(
         {tangent.from, tangent.to, tangent.along, cost, index, state, static_cast<std::uint32_t>(active_.size())});

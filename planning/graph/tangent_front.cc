@@ -31,6 +31,7 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
       if (next.estimate_m == arrivals_[next.index].next_m) make_departures(next.index);
       continue;
     }
+    if (is_put_off(next)) continue;
     ++legs_tested_;
     if (legs_tested_ == kLegsBeforeCorridor && field_->size() > kLargeField) {
       corridor_.lay_out(*field_, query_.start, query_.goal, kCorridor_m);
@@ -49,7 +50,7 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
       last_ = next.index;
       return Progress::goal;
     }
-    const double to_goal_m = next.estimate_m - leg.cost;
+    const double to_goal_m = (query_.goal - leg.to.point).norm();
     if (expand(graph, next.index) && to_goal_m < nearest_m_) {
       last_ = next.index;
       nearest_m_ = to_goal_m;
@@ -66,6 +67,7 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   goal_ = body_of(query.goal);
   active_.clear(graph.field().size());
   corridor_.clear();
+  detours_.clear();
   first_here_.clear();
   legs_.clear();
   arrivals_.clear();

@@ -6,6 +6,7 @@
 
 #include "planning/graph/active_obstacles.h"
 #include "planning/graph/corridor.h"
+#include "planning/graph/detours.h"
 #include "planning/graph/search_queue.h"
 #include "planning/graph/separation.h"
 #include "planning/graph/shared_graph.h"
@@ -86,6 +87,8 @@ class TangentFront {
   void make_departures(ArrivalIndex arrival);
   void depart_to_slot(ArrivalIndex arrival, State slot);
   void depart(ArrivalIndex arrival, const Body& to, double to_side, State state);
+  double least_to_goal_m(const Vec2& from);
+  bool is_put_off(const SearchQueue::Entry& leg);
   bool is_open(SharedGraph& graph, const Leg& leg);
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,
                     std::span<const ObstacleIndex> blockers);
@@ -97,6 +100,7 @@ class TangentFront {
   Body start_, goal_;
   ActiveObstacles active_;
   Corridor corridor_;
+  Detours detours_;                       ///< as many of the active ones as were asked for
   std::vector<ArrivalIndex> first_here_;  ///< by state: of a list of arrivals
   std::vector<Leg> legs_;                 ///< the first is the start
   std::vector<Arrival> arrivals_;         ///< the first is the start

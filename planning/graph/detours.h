@@ -1,0 +1,47 @@
+// How much longer than straight a way must be because of what stands in between: lower bounds that let a search see
+// which of its legs lead nowhere near, before it goes there.
+#pragma once
+
+#include <experimental/simd>
+#include <vector>
+
+#include "planning/obstacle_field.h"
+
+namespace regista::graph {
+
+/// Each obstacle holds segments (gates) that no way crosses: a way from one side to the other passes one of the ends.
+/// Of a disc, the diameter across the straight line; of others a few that are chosen once. The bound asks each gate
+/// alone, without trigonometry. Only scratch memory is kept between two searches.
+class Detours {
+ public:
+  void clear();
+
+  /// One more that has to be gone round. A gate's end that lies out of bounds cannot be passed.
+  void add(const Obstacle& obstacle, const Bounds& bounds);
+
+  std::size_t size() const { return size_; }
+
+  /// No free way from one free point to the other is shorter. Metres; infinite where there is none.
+  double least_m(const Vec2& from, const Vec2& to) const;
+
+ private:
+  using Lanes = std::experimental::native_simd<double>;
+  static constexpr std::size_t kLanes = Lanes::size();
+
+  struct Discs {
+    std::array<double, kLanes> x{}, y{}, radius{};  ///< radius 0: none
+  };
+  struct Gate {
+    Vec2 a, b;
+    bool is_passed_at_a, is_passed_at_b;
+  };
+
+  void add_gate(const Vec2& middle, const Vec2& half, double radius_m, const Bounds& bounds);
+
+  std::vector<Discs> discs_;
+  std::vector<Gate> gates_;
+  std::size_t size_ = 0;
+  std::size_t disc_count_ = 0;
+};
+
+}  // namespace regista::graph
