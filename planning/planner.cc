@@ -46,7 +46,8 @@ std::string fault(const ObstacleField& field, const Query& query, const SearchRe
     if (!is_finite(point)) return "is not finite";
   }
   if (query.is_straight_free && result.path.size() == 2 && ok) return "";
-  if (!field.is_free(result.path, query.ignored)) return "leads through an obstacle or out of bounds";
+  if (!result.is_known_free && !field.is_free(result.path, query.ignored))
+    return "leads through an obstacle or out of bounds";
   return "";
 }
 
@@ -100,6 +101,7 @@ void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& 
   result_.status = PlanStatus::not_found;
   result_.path.clear();
   result_.reason.clear();
+  result_.is_known_free = false;
   if (query.start == query.goal) {
     result_.status = PlanStatus::ok;
     result_.path.push_back(query.start);

@@ -15,13 +15,16 @@ struct SearchResult {
   PlanStatus status = PlanStatus::not_found;
   std::vector<Vec2> path;
   std::string reason;
+  /// The search has tested all of the path by clearance.h: it is not tested again.
+  bool is_known_free = false;
 };
 
 /// Laws, checked here and by the conformance test:
 /// - the answer is a function of field and request alone: not of earlier queries, of other robots, or of what the graph
 ///   already knows; a planner keeps only scratch memory between queries;
 /// - ok: the path begins at the start, ends at the goal, and every leg is inside the bounds and free by clearance.h of
-///   all obstacles not ignored. An answer that fails this is turned into not_found, never passed on;
+///   all obstacles not ignored. An answer that fails this is turned into not_found, never passed on. Where a search
+///   has tested all of its path itself, it is not tested again;
 /// - a covered start (an obstacle or the outside covers it) is left by the shortest straight way out whose leg crosses
 ///   only what covers the start; start_moved says so and the path still begins at the start itself;
 /// - a covered goal is moved to the nearest free point; goal_moved says so;

@@ -18,6 +18,9 @@ constexpr int kLegsBeforeCorridor = 4;
 constexpr std::size_t kLargeField = 64;
 constexpr double kCorridor_m = 0.6;
 
+/// A leg between two that are apart by more than kTangentTouch_m is longer.
+constexpr double kTouching_m = 1e-3;
+
 }  // namespace
 
 TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
@@ -159,13 +162,18 @@ void TangentFront::activate_pending(SharedGraph& graph) {
   pending_.clear();
 }
 
+/// All legs were tested on the way; only of those between two that touch the direction is rounded. A polyline can only
+/// meet what its arc nearly touches.
 void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
   chain_.clear();
   for (LegIndex leg = last_; leg != kStart; leg = arrivals_[legs_[leg].parent].leg) chain_.push_back(leg);
   path.clear();
   path.push_back(query_.start);
+  is_path_known_free_ = true;
   for (std::size_t i = chain_.size(); i-- > 0;) {
     const Leg& leg = legs_[chain_[i]];
+    is_path_known_free_ =
+        is_path_known_free_ && (leg.to.point - leg.from.point).squaredNorm() > kTouching_m * kTouching_m;
     if (leg.state == kGoalState) {
       path.push_back(query_.goal);
       return;
@@ -175,7 +183,13 @@ void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
       return;
     }
     const ActiveObstacles::Slot& slot = active_[leg.state / 2];
-    append_arc(graph, slot.obstacle, slot.body, {leg.to, legs_[chain_[i - 1]].from, side_of(leg.state)}, path);
+    const Place& leave = legs_[chain_[i - 1]].from;
+    const std::size_t first = path.size();
+    if (append_arc(graph, slot.obstacle, slot.body, {leg.to, leave, side_of(leg.state)}, path)) continue;
+    polyline_.assign(1, leg.to.point);
+    polyline_.insert(polyline_.end(), path.begin() + static_cast<std::ptrdiff_t>(first), path.end());
+    polyline_.push_back(leave.point);
+    is_path_known_free_ = is_path_known_free_ && field_->is_free(polyline_, query_.ignored);
   }
 }
 

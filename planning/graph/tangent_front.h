@@ -37,6 +37,9 @@ class TangentFront {
   /// nearest to the goal, which may be the start alone.
   void trace(SharedGraph& graph, std::vector<Vec2>& path);
 
+  /// All of the path that was traced last is free by clearance.h; false: nobody knows.
+  bool is_path_known_free() const { return is_path_known_free_; }
+
   /// Exact length of the way to the goal, arcs as arcs. Metres.
   double length_m() const { return length_m_; }
 
@@ -108,6 +111,8 @@ class TangentFront {
   std::vector<ObstacleIndex> pending_;
   std::vector<ObstacleIndex> blockers_;
   std::vector<LegIndex> chain_;
+  std::vector<Vec2> polyline_;
+  bool is_path_known_free_ = false;
   Separation separation_;
   int legs_tested_ = 0;
   std::int64_t steps_ = 0;  ///< taken from the queue: legs, and departures that were put off

@@ -36,7 +36,9 @@ TangentSearch::End TangentSearch::find(SharedGraph& graph, const Query& query, s
   if (progress == Progress::no_way) return End::no_way;
   if (progress == Progress::no_time) return End::no_time;
   if (progress == Progress::too_long) return End::too_long;
-  length_m_ = (is_backward ? backward_ : forward_).length_m();
+  const TangentFront& first = is_backward ? backward_ : forward_;
+  length_m_ = first.length_m();
+  is_path_known_free_ = first.is_path_known_free();
   return End::goal;
 }
 

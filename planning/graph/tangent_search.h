@@ -21,6 +21,9 @@ class TangentSearch {
   /// Exact length of the last search's way to the goal, arcs as arcs. Metres.
   double length_m() const { return length_m_; }
 
+  /// All of the last search's path to the goal is free by clearance.h; false: nobody knows.
+  bool is_path_known_free() const { return is_path_known_free_; }
+
   /// Obstacles the front from the start went round, or tried to, in the order in which they became active.
   std::span<const ObstacleIndex> active() const { return forward_.active(); }
 
@@ -28,6 +31,7 @@ class TangentSearch {
   TangentFront forward_;
   TangentFront backward_;
   double length_m_ = 0.0;
+  bool is_path_known_free_ = false;
 };
 
 }  // namespace regista::graph

@@ -99,8 +99,8 @@ void append_corner(const SharedGraph& graph, std::span<const ObstacleIndex> brus
 
 }  // namespace
 
-void append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc, std::vector<Vec2>& path) {
-  const std::span<const ObstacleIndex> brushes = graph.contacts(obstacle, body).brushes;
+bool append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc, std::vector<Vec2>& path) {
+  const Contacts::Of near = graph.contacts(obstacle, body);
   const bool is_forwards = arc.side > 0.0;
   const std::uint32_t step = is_forwards ? 1 : body.count - 1;
   // Behind on the same corner: all the way round.
@@ -111,10 +111,11 @@ void append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, co
        corner = (corner + step) % body.count) {
     goes_round = false;
     const Vec2 end = body.begin_normals[is_forwards ? (corner + 1) % body.count : corner];
-    append_corner(graph, brushes, body, corner, {rest.from, {Vec2::Zero(), end, corner}, arc.side}, path);
+    append_corner(graph, near.brushes, body, corner, {rest.from, {Vec2::Zero(), end, corner}, arc.side}, path);
     rest.from.normal = end;
   }
-  append_corner(graph, brushes, body, arc.to.corner, rest, path);
+  append_corner(graph, near.brushes, body, arc.to.corner, rest, path);
+  return near.cuts.empty() && near.brushes.empty();
 }
 
 }  // namespace regista::graph

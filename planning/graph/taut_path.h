@@ -14,7 +14,8 @@ struct Arc {
 };
 
 /// Appends the vertices of the arc's polyline, at most kArcExcess longer. Its legs touch the arc, the first where it
-/// begins and the last where it ends, and where another obstacle is so near that a vertex would lie in it.
-void append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc, std::vector<Vec2>& path);
+/// begins and the last where it ends, and where another obstacle is so near that a vertex would lie in it. True:
+/// nothing is so near, all of the polyline is free.
+bool append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc, std::vector<Vec2>& path);
 
 }  // namespace regista::graph

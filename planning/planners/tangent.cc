@@ -12,6 +12,7 @@ void TangentPlanner::search(graph::SharedGraph& graph, const Query& query, Searc
   using End = graph::TangentSearch::End;
   const End end = search_.find(graph, query, result.path);
   if (end == End::goal) {
+    result.is_known_free = search_.is_path_known_free();
     result.status = PlanStatus::ok;
   } else if (end == End::no_way) {
     result.status = PlanStatus::unreachable;

@@ -54,6 +54,7 @@ class Court {
   int worlds() const { return worlds_; }
   int bent() const { return bent_; }
   int unreachable() const { return unreachable_; }
+  int known_free() const { return known_free_; }
 
  private:
   static std::string text(const std::optional<double>& length_m) {
@@ -69,6 +70,9 @@ class Court {
     if (end != End::goal) return "";
     if (path_.front() != request.start || path_.back() != request.goal) return "the search's path has other ends";
     if (!(std::abs(search_.length_m() - *expected_m_) <= kRelative * *expected_m_)) return "not the exact length";
+    if (!search_.is_path_known_free()) return "";
+    ++known_free_;
+    if (!graph_.field().is_free(path_, request.ignored)) return "the path that the search knows to be free is not";
     return "";
   }
 
@@ -92,7 +96,7 @@ class Court {
   graph::SharedGraph graph_;
   std::vector<Vec2> path_;
   std::optional<double> expected_m_;
-  int worlds_ = 0, bent_ = 0, unreachable_ = 0;
+  int worlds_ = 0, bent_ = 0, unreachable_ = 0, known_free_ = 0;
 };
 
 std::mt19937_64 generator(int world) { return std::mt19937_64(static_cast<std::uint64_t>(world)); }
@@ -167,6 +171,7 @@ TEST_CASE("in varied worlds tangent agrees with the judge") {
   CHECK(court.worlds() > share_of(9900));
   CHECK(court.bent() > share_of(2500));
   CHECK(court.unreachable() > share_of(200));
+  CHECK(court.known_free() > share_of(5000));
 }
 
 TEST_CASE("on fields of a match's size tangent agrees with the judge") {
