@@ -120,30 +120,44 @@ void TangentFront::make_departures(ArrivalIndex index) {
 }
 
 void TangentFront::depart_to_slot(ArrivalIndex index, State slot) {
-  const Body& body = active_[slot].body;
-  depart(index, body, side_of(0), 2 * slot);
-  depart(index, body, side_of(1), 2 * slot + 1);
+  const Body& to = active_[slot].body;
+  const Arrival& arrival = arrivals_[index];
+  const bool is_start = arrival.state == kStartState;
+  const Body& from = is_start ? start_ : active_[arrival.state / 2].body;
+  if (from.count == 1 && to.count == 1) {
+    const auto visit = [&](const Tangent& tangent, bool is_second) {
+      add_leg(index, from, tangent, 2 * slot + (is_second ? 1 : 0));
+    };
+    if (for_disc_tangents(from, is_start ? 1.0 : side_of(arrival.state), to, arrival.departure.window, visit)) return;
+  }
+  depart(index, to, side_of(0), 2 * slot);
+  depart(index, to, side_of(1), 2 * slot + 1);
 }
 
 void TangentFront::depart(ArrivalIndex index, const Body& to, double to_side, State state) {
-  Arrival& arrival = arrivals_[index];
+  const Arrival& arrival = arrivals_[index];
   const bool is_start = arrival.state == kStartState;
   const Body& from = is_start ? start_ : active_[arrival.state / 2].body;
+  for_tangents(from, is_start ? 1.0 : side_of(arrival.state), to, to_side, arrival.departure.window,
+               [&](const Tangent& tangent) { add_leg(index, from, tangent, state); });
+}
+
+void TangentFront::add_leg(ArrivalIndex index, const Body& from, const Tangent& tangent, State state) {
+  Arrival& arrival = arrivals_[index];
+  const bool is_start = arrival.state == kStartState;
   const double side = is_start ? 1.0 : side_of(arrival.state);
   // Half way round, the departures say it all.
   const bool is_cut = !is_start && arrival.reach < from.period && arrival.reach != kHalfRound;
-  for_tangents(from, side, to, to_side, arrival.departure.window, [&](const Tangent& tangent) {
-    if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
-    if (!active_.are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along}, arrival.state / 2,
-                              state / 2, arrival.occluders))
-      return;
-    const double along_m = is_start ? 0.0 : travel_m(from, legs_[arrival.leg].to, tangent.from, side);
-    const double cost = arrival.departure.cost_m + along_m + tangent.length_m;
-    const double estimate_m = cost + least_to_goal_m(tangent.to.point);
-    queue_.push({estimate_m, static_cast<LegIndex>(legs_.size()), false});
-    legs_.push_back(
-        {tangent.from, tangent.to, tangent.along, cost, index, state, static_cast<std::uint32_t>(active_.size())});
-  });
+  if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
+  if (!active_.are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along}, arrival.state / 2,
+                            state / 2, arrival.occluders))
+    return;
+  const double along_m = is_start ? 0.0 : travel_m(from, legs_[arrival.leg].to, tangent.from, side);
+  const double cost = arrival.departure.cost_m + along_m + tangent.length_m;
+  const double estimate_m = cost + (state == kGoalState ? 0.0 : least_to_goal_m(tangent.to.point));
+  queue_.push({estimate_m, static_cast<LegIndex>(legs_.size()), false});
+  legs_.push_back(
+      {tangent.from, tangent.to, tangent.along, cost, index, state, static_cast<std::uint32_t>(active_.size())});
 }
 
 }  // namespace regista::graph

@@ -90,6 +90,7 @@ class TangentFront {
   void make_departures(ArrivalIndex arrival);
   void depart_to_slot(ArrivalIndex arrival, State slot);
   void depart(ArrivalIndex arrival, const Body& to, double to_side, State state);
+  void add_leg(ArrivalIndex arrival, const Body& from, const Tangent& tangent, State state);
   double least_to_goal_m(const Vec2& from);
   bool is_put_off(const SearchQueue::Entry& leg);
   bool is_open(SharedGraph& graph, const Leg& leg);

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <bit>
+#include <experimental/simd>
+#include <limits>
 
 #include "planning/graph/body.h"
 
@@ -39,6 +41,16 @@ struct Departures {
     const unsigned is_before_end = side * cross(normal, end) >= -kRounding * scale;
     return (static_cast<unsigned>(!is_narrow) | (is_after_begin & is_before_end)) != 0;
   }
+
+  /// The same for several.
+  template <class Lanes>
+  typename Lanes::mask_type allow(const Lanes& x, const Lanes& y, double scale) const {
+    constexpr double kRounding = 1e-8;
+    const Lanes after_begin = side * (begin.x() * y - begin.y() * x);
+    const Lanes before_end = side * (x * end.y() - y * end.x());
+    const Lanes least = is_narrow ? -kRounding * scale : -std::numeric_limits<double>::infinity();
+    return after_begin >= least && before_end >= least;
+  }
 };
 
 /// Calls visit(tangent) for each leg that leaves `from`, gone round on
@@ -52,6 +64,11 @@ struct Departures {
 template <class Visit>
 void for_tangents(const Body& from, double from_side, const Body& to, double to_side, const Departures& departures,
                   Visit&& visit);
+
+/// The same for two discs that do not touch, to both sides of `to` at once: visit(tangent, is_second), first for side
+/// -1. False, and nothing is visited: they touch.
+template <class Visit>
+bool for_disc_tangents(const Body& from, double from_side, const Body& to, const Departures& departures, Visit&& visit);
 
 // ---------------------------------------------------------------------------------------------------------------------
 
@@ -124,6 +141,34 @@ void for_tangents(const Body& from, double from_side, const Body& to, double to_
       visit_corners(to_many ? i : k, to_many ? k : i);
     }
   }
+}
+
+template <class Visit>
+bool for_disc_tangents(const Body& from, double from_side, const Body& to, const Departures& departures,
+                       Visit&& visit) {
+  using Pair = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, 2>>;
+  static constexpr std::array kSides{-1.0, 1.0};
+  const Pair m =
+      to.radius_m * Pair(kSides.data(), std::experimental::element_aligned) - Pair(from.radius_m * from_side);
+  const Vec2 d = to.corners[0] - from.corners[0];
+  const double distance2 = d.squaredNorm();
+  const Pair length2 = distance2 - m * m;
+  const Pair touch2 = 2.0 * kTangentTouch_m * std::experimental::abs(m);
+  if (any_of(std::experimental::abs(length2) <= touch2) || distance2 == 0.0) return false;
+  const Pair length = std::experimental::sqrt(std::experimental::max(length2, Pair(0.0)));
+  const Pair scaled_x = m * d.x() - length * d.y();
+  const Pair scaled_y = m * d.y() + length * d.x();
+  const auto visited = (length2 > 0.0) && departures.allow(-from_side * scaled_x, -from_side * scaled_y, distance2);
+  for (const std::size_t i : {0U, 1U}) {
+    if (!visited[i]) continue;
+    const Vec2 across = Vec2(scaled_x[i], scaled_y[i]) / distance2;
+    visit(Tangent{place_on_arc(from, 0, -from_side * across),
+                  place_on_arc(to, 0, -kSides[i] * across),
+                  {across.y(), -across.x()},
+                  length[i]},
+          i == 1);
+  }
+  return true;
 }
 
 }  // namespace regista::graph
