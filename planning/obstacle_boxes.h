@@ -54,6 +54,7 @@ class ObstacleBoxes {
   struct alignas(sizeof(float) * kLanes) Block {
     std::array<float, kLanes> x, y, half_x, half_y, radius;
     void set(std::size_t lane, const Obstacle& obstacle);
+    void set_four(std::size_t lane, const std::array<const Obstacle*, 4>& obstacles);
     void set(std::size_t lane, const Vec2& middle, const Vec2& half, double radius_m);
     void pad(std::size_t lane);
   };

@@ -10,15 +10,20 @@ std::string text(const Vec2& v) { return "(" + std::to_string(v.x()) + ", " + st
 
 /// At the cost of a few sums: none of them can hide a number that is too large, or none.
 bool are_surely_valid(std::span<const Obstacle> obstacles) {
-  Vec2 sum = Vec2::Zero();
-  double radii_m = 0.0;
-  double least_m = 0.0;
-  for (const Obstacle& obstacle : obstacles) {
-    sum += obstacle.a.cwiseAbs() + obstacle.b.cwiseAbs();
-    radii_m += obstacle.radius_m;
-    least_m = obstacle.radius_m < least_m ? obstacle.radius_m : least_m;
+  Vec2 even = Vec2::Zero();
+  Vec2 odd = Vec2::Zero();  // a sum has to wait for the one before
+  unsigned is_negative = 0;
+  const auto add = [&](Vec2& sum, const Obstacle& obstacle) {
+    sum += obstacle.a.cwiseAbs() + obstacle.b.cwiseAbs() + Vec2::Constant(obstacle.radius_m);
+    is_negative |= static_cast<unsigned>(!(obstacle.radius_m >= 0.0));
+  };
+  std::size_t i = 0;
+  for (; i + 1 < obstacles.size(); i += 2) {
+    add(even, obstacles[i]);
+    add(odd, obstacles[i + 1]);
   }
-  return sum.x() + sum.y() + radii_m <= kLargest_m && least_m >= 0.0;
+  if (i < obstacles.size()) add(even, obstacles[i]);
+  return (even + odd).sum() <= kLargest_m && is_negative == 0;
 }
 
 void check(const Bounds& bounds, std::span<const Obstacle> obstacles) {
