@@ -2,56 +2,10 @@
 #pragma once
 
 #include <bit>
-#include <experimental/simd>
-#include <limits>
 
-#include "planning/graph/body.h"
+#include "planning/graph/simple_tangents.h"
 
 namespace regista::graph {
-
-/// A straight leg from one boundary to another, touching both.
-struct Tangent {
-  Place from;
-  Place to;
-  Vec2 along = Vec2::Zero();  ///< unit
-  double length_m = 0.0;
-};
-
-/// A point as a body.
-inline Body body_of(const Vec2& point) {
-  Body body;
-  body.corners[0] = point;
-  body.count = 1;
-  body.period = 4.0;
-  return body;
-}
-
-/// Where legs may leave a disc: from one normal on to another, gone round on a side, at most half way round. Nothing
-/// narrow allows all.
-struct Departures {
-  bool is_narrow = false;
-  double side = 1.0;
-  Vec2 begin = Vec2::Zero();
-  Vec2 end = Vec2::Zero();
-
-  /// `normal` may have any length `scale`.
-  bool allow(const Vec2& normal, double scale) const {
-    constexpr double kRounding = 1e-8;
-    const unsigned is_after_begin = side * cross(begin, normal) >= -kRounding * scale;
-    const unsigned is_before_end = side * cross(normal, end) >= -kRounding * scale;
-    return (static_cast<unsigned>(!is_narrow) | (is_after_begin & is_before_end)) != 0;
-  }
-
-  /// The same for several.
-  template <class Lanes>
-  typename Lanes::mask_type allow(const Lanes& x, const Lanes& y, double scale) const {
-    constexpr double kRounding = 1e-8;
-    const Lanes after_begin = side * (begin.x() * y - begin.y() * x);
-    const Lanes before_end = side * (x * end.y() - y * end.x());
-    const Lanes least = is_narrow ? -kRounding * scale : -std::numeric_limits<double>::infinity();
-    return after_begin >= least && before_end >= least;
-  }
-};
 
 /// Calls visit(tangent) for each leg that leaves `from`, gone round on
 /// from_side, and arrives at `to`, gone round on to_side: one where the bodies
@@ -65,24 +19,7 @@ template <class Visit>
 void for_tangents(const Body& from, double from_side, const Body& to, double to_side, const Departures& departures,
                   Visit&& visit);
 
-/// The same for two discs that do not touch, to both sides of `to` at once: visit(tangent, is_second), first for side
-/// -1. False, and nothing is visited: they touch.
-template <class Visit>
-bool for_disc_tangents(const Body& from, double from_side, const Body& to, const Departures& departures, Visit&& visit);
-
 // ---------------------------------------------------------------------------------------------------------------------
-
-/// Overlapping by this little counts as touching. Metres.
-inline constexpr double kTangentTouch_m = 1e-9;
-
-/// No corner lies farther out than the touched one, but for rounding.
-inline bool supports(const Body& body, std::uint32_t corner, const Vec2& normal) {
-  constexpr double kRounding_m = 1e-10;
-  for (std::uint32_t k = 0; k < body.count; ++k) {
-    if ((body.corners[k] - body.corners[corner]).dot(normal) > kRounding_m) return false;
-  }
-  return true;
-}
 
 /// Where a touch lies beyond the end of the corner's arc by less than kTouch_m
 /// can tell: that end; else what it was.
@@ -102,8 +39,9 @@ std::uint32_t leading_corners(const Body& many, double side, const Vec2& other, 
 template <class Visit>
 void for_tangents(const Body& from, double from_side, const Body& to, double to_side, const Departures& departures,
                   Visit&& visit) {
-  const double m = to.radius_m * to_side - from.radius_m * from_side;
   const bool to_many = to.count > 1;
+  if ((to_many || from.count > 1) && for_simple_tangent(from, from_side, to, to_side, departures, visit)) return;
+  const double m = to.radius_m * to_side - from.radius_m * from_side;
   const auto visit_corners = [&](std::uint32_t i, std::uint32_t j) {
     const Vec2 d = to.corners[j] - from.corners[i];
     const double distance2 = d.squaredNorm();
@@ -141,34 +79,6 @@ void for_tangents(const Body& from, double from_side, const Body& to, double to_
       visit_corners(to_many ? i : k, to_many ? k : i);
     }
   }
-}
-
-template <class Visit>
-bool for_disc_tangents(const Body& from, double from_side, const Body& to, const Departures& departures,
-                       Visit&& visit) {
-  using Pair = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, 2>>;
-  static constexpr std::array kSides{-1.0, 1.0};
-  const Pair m =
-      to.radius_m * Pair(kSides.data(), std::experimental::element_aligned) - Pair(from.radius_m * from_side);
-  const Vec2 d = to.corners[0] - from.corners[0];
-  const double distance2 = d.squaredNorm();
-  const Pair length2 = distance2 - m * m;
-  const Pair touch2 = 2.0 * kTangentTouch_m * std::experimental::abs(m);
-  if (any_of(std::experimental::abs(length2) <= touch2) || distance2 == 0.0) return false;
-  const Pair length = std::experimental::sqrt(std::experimental::max(length2, Pair(0.0)));
-  const Pair scaled_x = m * d.x() - length * d.y();
-  const Pair scaled_y = m * d.y() + length * d.x();
-  const auto visited = (length2 > 0.0) && departures.allow(-from_side * scaled_x, -from_side * scaled_y, distance2);
-  for (const std::size_t i : {0U, 1U}) {
-    if (!visited[i]) continue;
-    const Vec2 across = Vec2(scaled_x[i], scaled_y[i]) / distance2;
-    visit(Tangent{place_on_arc(from, 0, -from_side * across),
-                  place_on_arc(to, 0, -kSides[i] * across),
-                  {across.y(), -across.x()},
-                  length[i]},
-          i == 1);
-  }
-  return true;
 }
 
 }  // namespace regista::graph
