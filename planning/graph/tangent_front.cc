@@ -185,11 +185,12 @@ void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
     const ActiveObstacles::Slot& slot = active_[leg.state / 2];
     const Place& leave = legs_[chain_[i - 1]].from;
     const std::size_t first = path.size();
-    if (append_arc(graph, slot.obstacle, slot.body, {leg.to, leave, side_of(leg.state)}, path)) continue;
+    const Contacts::Of near = append_arc(graph, slot.obstacle, slot.body, {leg.to, leave, side_of(leg.state)}, path);
+    if (near.cuts.empty() && near.brushes.empty()) continue;
     polyline_.assign(1, leg.to.point);
     polyline_.insert(polyline_.end(), path.begin() + static_cast<std::ptrdiff_t>(first), path.end());
     polyline_.push_back(leave.point);
-    is_path_known_free_ = is_path_known_free_ && field_->is_free(polyline_, query_.ignored);
+    is_path_known_free_ = is_path_known_free_ && is_clear_of(*field_, near, polyline_, query_.ignored);
   }
 }
 

@@ -99,7 +99,8 @@ void append_corner(const SharedGraph& graph, std::span<const ObstacleIndex> brus
 
 }  // namespace
 
-bool append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc, std::vector<Vec2>& path) {
+Contacts::Of append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc,
+                        std::vector<Vec2>& path) {
   const Contacts::Of near = graph.contacts(obstacle, body);
   const bool is_forwards = arc.side > 0.0;
   const std::uint32_t step = is_forwards ? 1 : body.count - 1;
@@ -115,7 +116,24 @@ bool append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, co
     rest.from.normal = end;
   }
   append_corner(graph, near.brushes, body, arc.to.corner, rest, path);
-  return near.cuts.empty() && near.brushes.empty();
+  return near;
+}
+
+bool is_clear_of(const ObstacleField& field, const Contacts::Of& near, std::span<const Vec2> polyline,
+                 std::span<const std::size_t> ignored) {
+  const auto is_clear = [&](ObstacleIndex other) {
+    if (other == kBounds) {
+      return std::all_of(polyline.begin(), polyline.end(),
+                         [&](const Vec2& point) { return is_inside(point, field.bounds()); });
+    }
+    if (is_ignored(other, ignored)) return true;
+    for (std::size_t i = 1; i < polyline.size(); ++i) {
+      if (!is_free(polyline[i - 1], polyline[i], field.obstacles()[other])) return false;
+    }
+    return true;
+  };
+  return std::all_of(near.cuts.begin(), near.cuts.end(), [&](const Cut& cut) { return is_clear(cut.other); }) &&
+         std::all_of(near.brushes.begin(), near.brushes.end(), is_clear);
 }
 
 }  // namespace regista::graph
