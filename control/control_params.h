@@ -1,6 +1,7 @@
 // Everything that can be tuned in control: one struct per stage, listed once, with the defaults' reasons.
 #pragma once
 
+#include "control/safety/rough_play.h"
 #include "control/safety/safety_params.h"
 #include "control/velocity_choice.h"
 #include "control/wheels.h"
@@ -61,6 +62,7 @@ struct ControlParams {
   HeadingParams heading;
   VelocityChoiceParams velocity_choice;
   SafetyParams safety;
+  RoughPlayParams rough_play;
   WheelGeometry wheels;
   std::string robot_wheels;        ///< exceptions of single robots, as TeamWheels reads them
   double plan_deadline_s = 0.2;    ///< a plan older than this is no plan: 20 world states at 100 Hz
@@ -86,6 +88,7 @@ struct ControlParams {
     v.group("heading", self.heading);
     v.group("velocity_choice", self.velocity_choice);
     v.group("safety", self.safety);
+    v.group("rough_play", self.rough_play);
     v.group("wheels", self.wheels);
     v("robot_wheels", self.robot_wheels, Range{}, "",
       "robots with other wheels: \"3: hub_radius_m=0.07; 12: wheel_radius_m=0.03\"");

@@ -10,6 +10,7 @@
 #include "control/motion_limits.h"
 #include "control/path_follower.h"
 #include "control/path_legs.h"
+#include "control/safety/careful_approach.h"
 #include "planning/planner.h"
 
 namespace regista {
@@ -191,6 +192,16 @@ std::vector<Opponent> Controller::opponents_in(const WorldState& world, double d
   return opponents;
 }
 
+void Controller::be_careful(std::span<SafetyRobot> robots, std::span<const Opponent> opponents) const {
+  if (safety_mode(params_.safety.mode) != SafetyMode::team) return;
+  const double contact_m = 2.0 * params_.limits.radius_m + params_.safety.opponent_margin_m;
+  // Some of what the wheels can do goes into dodging meanwhile.
+  const double braking_mps2 = params_.safety.braking_share * params_.limits.acceleration_max_mps2;
+  for (SafetyRobot& robot : robots) {
+    robot.wanted_mps = careful_approach(robot.wanted_mps, robot.position_m, opponents, contact_m, braking_mps2);
+  }
+}
+
 TeamCommands Controller::update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s,
                                 const Surroundings& around) {
   const double period_s = period(dt_s, params_.period_max_s);
@@ -209,8 +220,10 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
     robots.push_back(intents.back().robot);
     arrivals_s.push_back(intents.back().arrival_s);
   }
-  const std::vector<Vec2>& chosen_mps =
-      avoidance_.choose(robots, arrivals_s, opponents_in(world, period_s), around, params_, period_s);
+  const std::vector<Opponent> opponents = opponents_in(world, period_s);
+  rough_play_.update(world, team_, period_s, params_.limits.radius_m, params_.rough_play);
+  if (rough_play_.is_rough(params_.rough_play)) be_careful(robots, opponents);
+  const std::vector<Vec2>& chosen_mps = avoidance_.choose(robots, arrivals_s, opponents, around, params_, period_s);
 
   TeamCommands out = begin(&world);
   last_.clear();

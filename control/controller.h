@@ -58,6 +58,8 @@ class Controller {
 
   Told present_motion(const RobotState& robot) const;
   Intent intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const;
+  /// Where opponents are rough, what is wanted of robots leads into no crash that would be ours.
+  void be_careful(std::span<SafetyRobot> robots, std::span<const Opponent> opponents) const;
   std::vector<Opponent> opponents_in(const WorldState& world, double dt_s);
   RobotCommand command(std::uint16_t robot, Told& told, const Twist& wanted, double dt_s) const;
   TeamCommands begin(const WorldState* world);
@@ -67,6 +69,7 @@ class Controller {
   TeamWheels wheels_;
   std::uint64_t sequence_ = 0;
   AccelerationEstimate accelerations_;
+  RoughPlay rough_play_;
   Avoidance avoidance_;
   std::map<std::uint16_t, Told> last_;  ///< by robot number
 };

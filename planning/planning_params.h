@@ -14,15 +14,15 @@ namespace regista {
 
 struct PlanningParams {
   double robot_radius_m = 0.09;     ///< the largest legal body (SSL rules, "Robot shape")
-  double team_margin_m = 0.05;      ///< between bodies of one team; estimate noise and tracking error fit in
+  double team_margin_m = 0.03;      ///< between bodies of one team; estimate noise and tracking error fit in
   double opponent_margin_m = 0.02;  ///< to opponents' bodies; control keeps what their motion asks for
   double area_margin_m = 0.01;      ///< between a body and a defence area
   double wall_margin_m = 0.005;     ///< between a body and the goals' walls
   double stretch_horizon_s = 0.0;   ///< moving robots become capsules this far along their velocity; 0: discs
   double stretch_max_m = 1.0;       ///< cap of that length
   /// Others are planned around where they will be at the nearest approach, at most so far ahead: what resolves most
-  /// deadlocks, and drives 6 % more targets. Opponents turn sooner than team-mates, which are wanted on circles. Both
-  /// 0: everybody where he is, and the whole team shares one graph.
+  /// deadlocks, and drives 6 % more targets. Opponents turn sooner than team-mates, which are wanted on circles and
+  /// whose goals are known. Both 0: everybody where he is, and the whole team shares one graph.
   double prediction_horizon_s = 0.5;
   double team_prediction_horizon_s = 2.0;
   /// For the moment of nearest approach a robot is expected to drive straight to its goal at this speed, about the mean

@@ -1,5 +1,7 @@
 #include "planning/predicted_obstacles.h"
 
+#include <array>
+
 #include "planning/clearance.h"
 
 namespace regista {
@@ -12,34 +14,51 @@ double uncovering_radius(const Obstacle& obstacle, const Vec2& point) {
 
 }  // namespace
 
-double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s) {
-  const Vec2 apart = b.pose.position_m - a.pose.position_m;
-  const Vec2 velocity = b.twist.velocity_mps - a.twist.velocity_mps;
-  const double speed2 = velocity.squaredNorm();
-  return speed2 > 0.0 ? std::clamp(-apart.dot(velocity) / speed2, 0.0, horizon_s) : 0.0;
+double nearest_approach_s(const Course& a, const Course& b, double horizon_s) {
+  std::array turns_s{0.0, std::min(a.lasts_s, horizon_s), std::min(b.lasts_s, horizon_s), horizon_s};
+  if (turns_s[1] > turns_s[2]) std::swap(turns_s[1], turns_s[2]);
+  double approach_s = 0.0;
+  Vec2 apart = b.from_m - a.from_m;
+  double least = apart.squaredNorm();
+  for (std::size_t i = 0; i + 1 < turns_s.size(); ++i) {
+    const double length_s = turns_s[i + 1] - turns_s[i];
+    const Vec2 then = b.at(turns_s[i + 1]) - a.at(turns_s[i + 1]);
+    const Vec2 change = then - apart;
+    const double change2 = change.squaredNorm();
+    if (change2 > 0.0) {
+      const double share = std::clamp(-apart.dot(change) / change2, 0.0, 1.0);
+      const double distance2 = (apart + share * change).squaredNorm();
+      if (distance2 < least) {
+        least = distance2;
+        approach_s = turns_s[i] + share * length_s;
+      }
+    }
+    apart = then;
+  }
+  return approach_s;
 }
 
-void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
-             const Prediction& prediction, std::vector<Obstacle>& out) {
+double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps) {
+  return (goal - robot.pose.position_m).norm() / std::max(least_mps, robot.twist.velocity_mps.norm());
+}
+
+void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::span<const double> arrivals_s,
+             const RobotState& self, const Vec2& goal, const Prediction& prediction, std::vector<Obstacle>& out) {
   out.assign(obstacles.begin(), obstacles.end());
   // Of a robot that turns or sets out, the present velocity tells little about where it will be.
-  RobotState on_its_way = self;
+  Course ours{self.pose.position_m, Vec2::Zero(), 0.0};
   const Vec2 way = goal - self.pose.position_m;
-  const bool moves = prediction.speed_mps > 0.0 && !way.isZero(0.0);
-  on_its_way.twist.velocity_mps = moves ? Vec2(prediction.speed_mps * way.normalized()) : Vec2(Vec2::Zero());
-  const double arrival_s = moves ? way.norm() / prediction.speed_mps : 0.0;
-  RobotState there = self;
-  if (moves) there.pose.position_m = goal;
-  there.twist.velocity_mps = Vec2::Zero();
+  if (prediction.speed_mps > 0.0 && !way.isZero(0.0)) {
+    ours.velocity_mps = prediction.speed_mps * way.normalized();
+    ours.lasts_s = way.norm() / prediction.speed_mps;
+  }
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const RobotState& other = world.robots[i];
     if (other.id == self.id) continue;
     const bool goal_was_covered = clearance(goal, out[i]) < 0.0;
     const double ahead_s = other.id.team == self.id.team ? prediction.team_horizon_s : prediction.horizon_s;
-    const double under_way_s = nearest_approach_s(on_its_way, other, std::min(arrival_s, ahead_s));
-    const double approach_s =
-        under_way_s < arrival_s ? under_way_s : std::max(under_way_s, nearest_approach_s(there, other, ahead_s));
-    const Vec2 ahead = approach_s * other.twist.velocity_mps;
+    const Course theirs{other.pose.position_m, other.twist.velocity_mps, arrivals_s[i]};
+    const Vec2 ahead = theirs.at(nearest_approach_s(ours, theirs, ahead_s)) - theirs.from_m;
     out[i].a += ahead;
     out[i].b += ahead;
     out[i].radius_m = uncovering_radius(out[i], self.pose.position_m);

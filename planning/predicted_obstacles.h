@@ -1,7 +1,11 @@
 // Other robots where they will be when they matter: at the moment of nearest approach to the robot that plans. A robot
 // that crosses in front is gone by then, and two that come towards each other both see where they will meet.
+//
+// Team-mates stop at their goals. That they drive there straight is not expected: in which direction they go around
+// others shows in their velocities, and to see that is what makes a crowd turn one way.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -10,8 +14,17 @@
 
 namespace regista {
 
-/// Seconds until two points that keep their velocities are nearest, in [0, horizon_s]; 0 for no relative motion.
-double nearest_approach_s(const RobotState& a, const RobotState& b, double horizon_s);
+/// Keeps its velocity for so long, then stands.
+struct Course {
+  Vec2 from_m = Vec2::Zero();
+  Vec2 velocity_mps = Vec2::Zero();
+  double lasts_s = 0.0;  ///< >= 0, may be infinite
+
+  Vec2 at(double time_s) const { return from_m + std::min(time_s, lasts_s) * velocity_mps; }
+};
+
+/// The first moment in [0, horizon_s] at which the two are nearest.
+double nearest_approach_s(const Course& a, const Course& b, double horizon_s);
 
 /// How far ahead others are expected, and how the robot itself.
 struct Prediction {
@@ -21,11 +34,14 @@ struct Prediction {
   bool operator==(const Prediction&) const = default;
 };
 
-/// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i and is
-/// moved along its velocity to the nearest approach, at most so far ahead as the prediction reaches; then it shrinks as
-/// far as it would cover the start, or the goal without having covered it unmoved. Values are finite, all numbers of
-/// the prediction >= 0.
-void predict(std::span<const Obstacle> obstacles, const WorldState& world, const RobotState& self, const Vec2& goal,
-             const Prediction& prediction, std::vector<Obstacle>& out);
+/// When a robot that drives to the goal will stand there: at the speed it has, or at least_mps where it has less.
+double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps);
+
+/// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i, which
+/// stands from arrivals_s[i] on (infinite where no goal is known), and is moved along its velocity to the nearest
+/// approach, at most so far ahead as the prediction reaches; then it shrinks as far as it would cover the start, or the
+/// goal without having covered it unmoved. Values are finite but for arrivals, all numbers of the prediction >= 0.
+void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::span<const double> arrivals_s,
+             const RobotState& self, const Vec2& goal, const Prediction& prediction, std::vector<Obstacle>& out);
 
 }  // namespace regista

@@ -1,6 +1,7 @@
 #include "planning/team_planner.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -37,6 +38,21 @@ Plan halted() {
   plan.status = PlanStatus::not_found;
   plan.reason = "halt: every robot stands still";
   return plan;
+}
+
+/// A robot on its way that is slower than this is about to be faster: it sets out or turns.
+constexpr double kLeastOnWay_mps = 1.5;
+
+/// When each robot of the world will stand at its target; infinite for those without.
+void find_arrivals(const WorldState& world, const Targets& targets, std::vector<double>& arrivals_s) {
+  arrivals_s.assign(world.robots.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < world.robots.size(); ++i) {
+    const RobotState& robot = world.robots[i];
+    if (robot.id.team != targets.team) continue;
+    const auto target = std::ranges::find(targets.targets, robot.id.number, &Target::robot);
+    if (target == targets.targets.end() || !is_finite(target->pose.position_m)) continue;
+    arrivals_s[i] = arrival_s(robot, target->pose.position_m, kLeastOnWay_mps);
+  }
 }
 
 /// The picture of one graph keeps within 2000 edges, so that it fits a datagram; so does that of several.
@@ -85,6 +101,7 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
   world_sequence_ = world.sequence;
   const std::int64_t robot_budget_ns = stopwatch != nullptr ? budget_ns(targets.targets.size()) : 0;
   own_graphs_used_ = 0;
+  find_arrivals(world, targets, arrivals_s_);
   TeamPlans out;
   for (Target target : targets.targets) {
     const RobotState* robot = find_robot(world, {team_, target.robot});
@@ -143,7 +160,7 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
   lean(request, graph_.field().obstacles());
   const bool predicts = params_.prediction_horizon_s > 0.0 || params_.team_prediction_horizon_s > 0.0;
   if (!predicts || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
-  predict(graph_.field().obstacles(), world, robot, request.goal,
+  predict(graph_.field().obstacles(), world, arrivals_s_, robot, request.goal,
           {.horizon_s = params_.prediction_horizon_s,
            .team_horizon_s = params_.team_prediction_horizon_s,
            .speed_mps = std::min(params_.prediction_speed_mps, speed_max_mps)},

@@ -69,6 +69,7 @@ class TeamPlanner {
   std::vector<std::unique_ptr<graph::SharedGraph>> own_graphs_;
   std::size_t own_graphs_used_ = 0;
   std::vector<Obstacle> predicted_;
+  std::vector<double> arrivals_s_;  ///< by robot of the world
   graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
   std::vector<Obstacle> grown_;
   SideKeeper side_keeper_;

@@ -1,6 +1,7 @@
 #include "control/safety/opponent_models.h"
 
 #include <algorithm>
+#include <array>
 
 #include "control/safety/separation.h"
 #include "world_model/types/crash_rule.h"
@@ -23,6 +24,10 @@ constexpr double kNearlyFoul_mps = 0.4;
 constexpr double kNoFoul = 0.1;
 /// What a crash at the horizon counts, against one now.
 constexpr double kAtHorizon = 0.5;
+
+/// Parts of an opponent's reaction among which the room left for it is rounded up.
+constexpr std::array kRooms{0.0, 1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 3.0 / 4.0};
+constexpr double kUnasked_m = -1.0;
 
 Motion with(Motion motion, const Vec2& acceleration_mps2, double for_s) {
   if (for_s > 0.0) motion.then(acceleration_mps2, for_s);
@@ -77,6 +82,7 @@ void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits&
   crash_horizon_s_ = params.crash_horizon_s;
   foresee_touches(opponents, bodies_m, kForeseen_s, touches_);
   models_.clear();
+  our_braking_ = nullptr;
   for (const Opponent& opponent : opponents) {
     const Touch& touch = touches_[models_.size()];
     Model& model = models_.emplace_back();
@@ -85,14 +91,37 @@ void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits&
     model.expected = expected_motion(opponent, touch, params.acceleration_lasts_s, horizon_s_);
     model.steady = with({opponent.position_m, opponent.velocity_mps}, Vec2::Zero(), horizon_s_);
     const double speed = opponent.velocity_mps.norm();
-    model.braking_gap_m = gap_m_ + params.opponent_reaction_s * speed;
+    model.reaction_m = params.opponent_reaction_s * speed;
     model.growth_mps = params.opponent_growth * speed;
   }
 }
 
+void OpponentModels::set_robot(const Motion& braking) {
+  our_braking_ = &braking;
+  rooms_m_.assign(models_.size(), kUnasked_m);
+}
+
+/// What has to be left for the opponent's next choice. Half of what is between both when both brake is rounded up.
+double OpponentModels::room_for(const Model& model) const {
+  if (our_braking_ == nullptr) return model.reaction_m;
+  double& room_m = rooms_m_[static_cast<std::size_t>(&model - models_.data())];
+  if (room_m != kUnasked_m) return room_m;
+  room_m = model.reaction_m;
+  for (const double share : kRooms) {
+    const double half_m = share * model.reaction_m;
+    if (keep_apart(*our_braking_, model.braking, {gap_m_ + 2.0 * half_m}, kNever)) continue;
+    room_m = half_m;
+    break;
+  }
+  return room_m;
+}
+
 bool OpponentModels::is_clear_of_braking(const Motion& ours) const {
   return all([&](const Model& model) {
-    return keep_apart(ours, model.braking, {attainable_gap(model.braking_gap_m, ours, model.braking)}, kNever);
+    const auto leaves = [&](double room_m) {
+      return keep_apart(ours, model.braking, {attainable_gap(gap_m_ + room_m, ours, model.braking)}, kNever);
+    };
+    return leaves(model.reaction_m) || (room_for(model) < model.reaction_m && leaves(room_for(model)));
   });
 }
 

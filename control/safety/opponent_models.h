@@ -23,7 +23,13 @@ class OpponentModels {
   /// From now on the answers are about these. period_s > 0.
   void set(std::span<const Opponent> opponents, const RobotLimits& limits, const SafetyParams& params, double period_s);
 
-  /// Of all opponents that brake from now on, for ever; the margin grows with their speed (opponent_reaction_s).
+  /// And about this robot of ours, which brakes so if it does not choose otherwise; must live while it is asked about.
+  void set_robot(const Motion& braking);
+
+  /// Of all opponents that brake from now on, for ever, by what such an opponent may still take with its next choice:
+  /// as much as it can move the end of its braking within a period (opponent_reaction_s), but if it does as we do no
+  /// more than half of what is left between both when both brake. So two that brake for each other both come on. (On a
+  /// line that is exact; in the plane nearly, and the margin takes up the rest.)
   bool is_clear_of_braking(const Motion& ours) const;
   /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
   /// who else is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile.
@@ -37,8 +43,8 @@ class OpponentModels {
   struct Model {
     Motion braking;
     Motion expected;
-    Motion steady;  ///< keeps its velocity
-    double braking_gap_m = 0.0;
+    Motion steady;            ///< keeps its velocity
+    double reaction_m = 0.0;  ///< by which the end of its braking can move within a period
     double growth_mps = 0.0;  ///< of the margin to where it is expected
   };
 
@@ -54,10 +60,14 @@ class OpponentModels {
     return true;
   }
 
+  double room_for(const Model& model) const;
+
   std::vector<Model> models_;
-  mutable std::size_t blocker_ = 0;  ///< changes no answer
-  std::vector<Touch> touches_;       ///< scratch
-  double gap_m_ = 0.0;               ///< between centres, margin included
+  const Motion* our_braking_ = nullptr;
+  mutable std::vector<double> rooms_m_;  ///< room_for each model as far as it was asked for, negative where not
+  mutable std::size_t blocker_ = 0;      ///< changes no answer
+  std::vector<Touch> touches_;           ///< scratch
+  double gap_m_ = 0.0;                   ///< between centres, margin included
   double horizon_s_ = 0.0;
   double crash_horizon_s_ = 0.0;
 };

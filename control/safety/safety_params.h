@@ -19,8 +19,8 @@ struct SafetyParams {
   double braking_share = 0.9;
   double opponent_margin_m = 0.02;  ///< likewise; what they may do is in the margins below
   /// How far one control period can move the end of an opponent's braking, per speed: period + period·acceleration /
-  /// braking = 17.5 ms at 100 Hz, rounded up: so who is clear of opponents' braking still is a period later. 0.01 gains
-  /// 1 % of the pace and now and then has a contact with opponents that do as we do.
+  /// braking = 17.5 ms at 100 Hz, rounded up: so who is clear of opponents' braking still is a period later. Where less
+  /// than twice that is left, half of the rest is enough among those that do likewise; that gains 1 % of the pace.
   double opponent_reaction_s = 0.018;
   double acceleration_lasts_s = 0.3;  ///< an opponent's acceleration is taken to last so long, or until it stands
   /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share

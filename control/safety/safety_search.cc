@@ -57,6 +57,7 @@ Vec2 SafetySearch::stop(std::size_t robot) {
 Vec2 SafetySearch::choose_for(std::size_t robot) {
   const SafetyRobot& self = team_[robot];
   if (self.must_stand) return stop(robot);
+  opponents_.set_robot(promised_[robot]);
   Choice chosen;
   Safety best = Safety::none;
   const auto consider = [&](const Vec2& next_mps) {

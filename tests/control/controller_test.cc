@@ -288,6 +288,35 @@ TEST_CASE("new parameters take effect without a jump, and the target's own speed
   CHECK(world.robots[0].twist.velocity_mps.x() == Approx(0.4));
 }
 
+TEST_CASE("among opponents that run into the team, robots drive slower towards them; without safety as ever") {
+  const std::string mode = GENERATE("team", "none");
+  ControlParams params;
+  params.safety.mode = mode;
+  params.rough_play.contacts = 3.0;
+  Controller controller(Team::yellow, params);
+  const std::vector<RobotPlan> plans{plan_along(0, {{-3, 0}, {3, 0}})};
+  const RobotState drives = robot_at(0, {-1, 0}, 0.0, {{2.0, 0.0}, 0.0});
+  const auto slowest_mps = [&] {
+    WorldState world;
+    world.robots = {drives, robot_at(3, {0, 0.3}, 0.0, {}, Team::blue)};
+    double slowest = world.robots[0].twist.velocity_mps.x();
+    for (int tick = 0; tick < 20; ++tick) {
+      step(world, controller.update(world, plans, kDt_s), kDt_s);
+      slowest = std::min(slowest, world.robots[0].twist.velocity_mps.x());
+    }
+    return slowest;
+  };
+  CHECK(slowest_mps() == Approx(2.0).margin(0.05));
+  for (int contact = 0; contact < 4; ++contact) {
+    for (const double apart_m : {0.17, 0.5}) {
+      WorldState world;
+      world.robots = {drives, robot_at(1, {3, 3}), robot_at(3, {3, 3 - apart_m}, 0.0, {}, Team::blue)};
+      controller.update(world, plans, kDt_s);
+    }
+  }
+  CHECK((slowest_mps() < 1.9) == (mode == "team"));
+}
+
 TEST_CASE("a wheel limit slows all wheels so that the direction is kept") {
   ControlParams params;
   params.wheels.wheel_speed_max_radps = 40.0;

@@ -258,6 +258,24 @@ TEST_CASE("the margin to an opponent's braking grows with its speed") {
   CHECK(is_clear(0.26));
 }
 
+TEST_CASE("where both braking leave less than that, half of it is kept for the opponent") {
+  const Opponent passes{{-0.5, 0.25}, {3.0, 0.0}, Vec2::Zero()};
+  OpponentModels models;
+  models.set(std::span(&passes, 1), RobotLimits{}, SafetyParams{}, kPeriod_s);
+  const Motion standing(Vec2::Zero(), Vec2::Zero());
+  CHECK_FALSE(models.is_clear_of_braking(standing));
+  models.set_robot(standing);
+  CHECK(models.is_clear_of_braking(standing));
+  // 0.05 are left, and the opponent cannot use more than 0.054: half is 0.027, rounded up.
+  const auto nearer_by = [](double way_m) {
+    Motion motion(Vec2::Zero(), {0.0, 2.0 * way_m / kPeriod_s});
+    motion.then_stand({0.0, -2.0 * way_m / (kPeriod_s * kPeriod_s)}, kPeriod_s);
+    return motion;
+  };
+  CHECK(models.is_clear_of_braking(nearer_by(0.02)));
+  CHECK_FALSE(models.is_clear_of_braking(nearer_by(0.03)));
+}
+
 /// Ours at 2 m/s and an opponent at 1 m/s that drives on, nearly head on, too near to keep clear: the fault, if any.
 std::optional<Fault> fault_of_meeting(const SafetyParams& params) {
   SafetyRobot robot;

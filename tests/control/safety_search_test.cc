@@ -2,6 +2,7 @@
 // safe ones, and the same every time; and that each thing the proof needs is needed.
 #include "control/safety/safety_search.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
 #include "control/motion_limits.h"
@@ -151,6 +152,49 @@ TEST_CASE("opponents that brake are never touched: seen to brake, or by one that
       REQUIRE(move_on(all, next_mps) == "");
     }
   }
+}
+
+/// Contacts of two teams that keep clear of each other's braking and otherwise do as they please.
+int contacts_of_two_teams(double opponent_reaction_s, double opponent_margin_m) {
+  int contacts = 0;
+  for (std::uint64_t seed = 4000; seed < 4600; ++seed) {
+    std::mt19937_64 random(seed);
+    SafeTeam all = random_safe_team(random);
+    all.params.crash_horizon_s = 0.0;
+    all.params.opponent_margin_m = opponent_margin_m;
+    all.params.opponent_reaction_s = opponent_reaction_s;
+    const std::size_t half = all.robots.size() / 2;
+    std::array<SafetySearch, 2> searches;
+    for (int period = 0; period < 80; ++period) {
+      wish(all, random);
+      const std::span<const SafetyRobot> robots(all.robots);
+      std::vector<Vec2> next_mps;
+      for (const bool first : {true, false}) {
+        const std::span<const SafetyRobot> ours = first ? robots.first(half) : robots.subspan(half);
+        std::vector<Opponent> opponents;
+        for (const SafetyRobot& robot : first ? robots.subspan(half) : robots.first(half)) {
+          opponents.push_back({robot.position_m, robot.velocity_mps, Vec2::Zero()});
+        }
+        std::vector<Vec2> chosen_mps;
+        searches[first ? 0 : 1].choose(ours, opponents, all.around, all.limits, all.params, all.period_s, chosen_mps);
+        next_mps.insert(next_mps.end(), chosen_mps.begin(), chosen_mps.end());
+      }
+      if (move_on(all, next_mps).empty()) continue;
+      ++contacts;
+      break;
+    }
+  }
+  return contacts;
+}
+
+TEST_CASE("two teams that choose at once without knowing of each other's choice leave each other room for it") {
+  const int with_room = contacts_of_two_teams(SafetyParams{}.opponent_reaction_s, 0.0);
+  const int without = contacts_of_two_teams(0.0, 0.0);
+  INFO("contacts with room " << with_room << ", without " << without);
+  CHECK(without >= 10);
+  // Halves are exact on a line; in the plane they are so nearly that the margin takes up the rest.
+  CHECK(3 * with_room <= without);
+  CHECK(contacts_of_two_teams(SafetyParams{}.opponent_reaction_s, SafetyParams{}.opponent_margin_m) == 0);
 }
 
 TEST_CASE("who must stand brakes straight ahead and then stands, whoever comes") {

@@ -10,6 +10,8 @@
 namespace regista {
 namespace {
 
+constexpr double kForEver_s = std::numeric_limits<double>::infinity();
+
 Vec2 any(std::mt19937_64& random, double half) {
   const double x = uniform(random, -half, half);
   return {x, uniform(random, -half, half)};
@@ -23,23 +25,39 @@ RobotState random_robot(std::mt19937_64& random, std::uint16_t number) {
   return robot;
 }
 
+Course random_course(std::mt19937_64& random) {
+  const RobotState robot = random_robot(random, 0);
+  const double lasts_s = uniform(random, 0.0, 3.0);
+  return {robot.pose.position_m, robot.twist.velocity_mps, lasts_s < 2.0 ? lasts_s : kForEver_s};
+}
+
 TEST_CASE("no sampled moment within the horizon is nearer than the nearest approach") {
   std::mt19937_64 random(91);
   for (int i = 0; i < 1000; ++i) {
-    const RobotState a = random_robot(random, 0);
-    const RobotState b = random_robot(random, 1);
+    const Course a = random_course(random);
+    const Course b = random_course(random);
     const double horizon_s = uniform(random, 0.0, 2.0);
     const double nearest_s = nearest_approach_s(a, b, horizon_s);
+    INFO("pair " << i << " of seed 91");
     REQUIRE(nearest_s >= 0.0);
-    REQUIRE(nearest_s <= horizon_s);
-    const auto distance = [&](double t) {
-      return (a.pose.position_m - b.pose.position_m + t * (a.twist.velocity_mps - b.twist.velocity_mps)).norm();
-    };
+    REQUIRE(nearest_s <= horizon_s + 1e-12);
+    const auto distance = [&](double t) { return (a.at(t) - b.at(t)).norm(); };
     for (int k = 0; k <= 100; ++k) CHECK(distance(horizon_s * k / 100) >= distance(nearest_s) - 1e-9);
-    CHECK(nearest_approach_s(b, a, horizon_s) == Approx(nearest_s).margin(1e-12));
+    CHECK(nearest_approach_s(b, a, horizon_s) == Approx(nearest_s).margin(1e-9));
   }
-  RobotState still = random_robot(random, 0);
+  const Course still = {{1.0, 2.0}, Vec2::Zero(), kForEver_s};
   CHECK(nearest_approach_s(still, still, 1.0) == 0.0);
+}
+
+TEST_CASE("who stands at its goal is not expected beyond it, and who sets out not to take for ever") {
+  RobotState robot;
+  robot.twist.velocity_mps = {2.0, 0.0};
+  CHECK(arrival_s(robot, {3.0, 0.0}, 1.5) == Approx(1.5));
+  robot.twist.velocity_mps = Vec2::Zero();
+  CHECK(arrival_s(robot, {3.0, 0.0}, 1.5) == Approx(2.0));
+  const Course course{{0.0, 0.0}, {2.0, 0.0}, 1.5};
+  CHECK(course.at(1.0) == Vec2(2.0, 0.0));
+  CHECK(course.at(9.0) == Vec2(3.0, 0.0));
 }
 
 constexpr double kSpeed_mps = 2.0;
@@ -48,6 +66,7 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
   std::mt19937_64 random(92);
   int shrunk = 0;
   int after_arrival = 0;
+  int stopped = 0;
   for (int i = 0; i < 1000; ++i) {
     WorldState world;
     std::vector<Obstacle> obstacles;
@@ -61,14 +80,13 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
     const Vec2 goal = any(random, 2.0);
     const double horizon_s = i % 5 == 0 ? 0.0 : 1.5;
     const double team_horizon_s = i % 3 == 0 ? 0.0 : 1.0;
+    std::vector<double> arrivals_s;
+    for (std::size_t k = 0; k < 5; ++k) arrivals_s.push_back(k % 2 == 0 ? kForEver_s : uniform(random, 0.0, 1.0));
     std::vector<Obstacle> out;
-    predict(obstacles, world, self, goal, {horizon_s, team_horizon_s, kSpeed_mps}, out);
-    RobotState on_its_way = self;
-    on_its_way.twist.velocity_mps = kSpeed_mps * (goal - self.pose.position_m).normalized();
-    const double arrival_s = (goal - self.pose.position_m).norm() / kSpeed_mps;
-    RobotState there = self;
-    there.pose.position_m = goal;
-    there.twist.velocity_mps = Vec2::Zero();
+    predict(obstacles, world, arrivals_s, self, goal, {horizon_s, team_horizon_s, kSpeed_mps}, out);
+    const Vec2 way = goal - self.pose.position_m;
+    // It does not drive on beyond its goal, and neither do others whose arrival is known.
+    const Course ours{self.pose.position_m, kSpeed_mps * way.normalized(), way.norm() / kSpeed_mps};
     REQUIRE(out.size() == obstacles.size());
     CHECK(out[2] == obstacles[2]);
     CHECK(out[5] == obstacles[5]);
@@ -77,11 +95,11 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
       const RobotState& other = world.robots[k];
       INFO("world " << i << " of seed 92, robot " << k);
       const double ahead_s = k == 4 ? horizon_s : team_horizon_s;
-      double approach_s = nearest_approach_s(on_its_way, other, ahead_s);
-      // It does not drive on beyond its goal.
-      if (approach_s >= arrival_s) approach_s = std::max(arrival_s, nearest_approach_s(there, other, ahead_s));
-      after_arrival += approach_s >= arrival_s ? 1 : 0;
-      const Vec2 expected = other.pose.position_m + approach_s * other.twist.velocity_mps;
+      const Course theirs{other.pose.position_m, other.twist.velocity_mps, arrivals_s[k]};
+      const double approach_s = nearest_approach_s(ours, theirs, ahead_s);
+      after_arrival += approach_s >= ours.lasts_s ? 1 : 0;
+      stopped += approach_s > theirs.lasts_s ? 1 : 0;
+      const Vec2 expected = theirs.at(approach_s);
       CHECK((out[k].a - expected).norm() <= 1e-12);
       CHECK(out[k].b == out[k].a);
       CHECK(out[k].radius_m <= obstacles[k].radius_m);
@@ -93,6 +111,7 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
   }
   CHECK(shrunk > 20);
   CHECK(after_arrival > 100);
+  CHECK(stopped > 50);
 }
 
 }  // namespace

@@ -163,6 +163,31 @@ TEST_CASE("planners are exchanged between frames") {
   }
 }
 
+TEST_CASE("a team-mate that stops before it gets there is not planned around where it will not be") {
+  // It crosses our way from the side, or would: its goal is this side of it.
+  WorldState world;
+  world.captured = from_us(10000);
+  world.robots.resize(2);
+  world.robots[0].id = {Team::yellow, 0};
+  world.robots[0].pose.position_m = {-2.0, 0.0};
+  world.robots[1].id = {Team::yellow, 1};
+  world.robots[1].pose.position_m = {0.0, -1.5};
+  world.robots[1].twist.velocity_mps = {0.0, 2.0};
+  Targets targets;
+  targets.targets.resize(1);
+  targets.targets[0].pose.position_m = {2.0, 0.0};
+  const FieldGeometry field;
+  TeamPlanner planner(Team::yellow, {});
+  const auto points_of_path = [&] { return planner.plan(field, world, targets).plans.front().plan.path.size(); };
+  CHECK(points_of_path() > 2);
+  targets.targets.resize(2);
+  targets.targets[1].robot = 1;
+  targets.targets[1].pose.position_m = {0.0, -0.8};
+  CHECK(points_of_path() == 2);
+  targets.targets[1].pose.position_m = {0.0, 3.0};
+  CHECK(points_of_path() > 2);
+}
+
 TEST_CASE("a random planner's path stays while nothing moves, and after a swap") {
   std::mt19937_64 random(20);
   WorldState world = random_world(random, 1);

@@ -12,6 +12,10 @@ inline constexpr double kCrashSpeed_mps = 1.5;
 /// Robots whose speeds towards each other differ by less are both guilty; SSL rules.
 inline constexpr double kCrashDifference_mps = 0.3;
 
+/// Who is not faster than this towards the other is never to blame: if it is a crash, the other is faster by the
+/// difference that counts.
+inline constexpr double kBlamelessSpeed_mps = (kCrashSpeed_mps - kCrashDifference_mps) / 2.0;
+
 enum class Fault : std::uint8_t { none, first, second, both };
 
 /// From the speeds of two robots towards each other, along the line of centres.
