@@ -28,6 +28,9 @@ struct PlanningParams {
   /// For the moment of nearest approach a robot is expected to drive straight to its goal at this speed, about the mean
   /// of a drive. Its present velocity, which a robot that turns is about to leave, drives 4 % fewer targets.
   double prediction_speed_mps = 2.5;
+  /// Twice what robots accelerate with: where others are met, a turn is mostly not over yet. 0, to turn at once, drives
+  /// half a percent fewer targets.
+  double prediction_turn_mps2 = 6.0;
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
@@ -65,6 +68,8 @@ struct PlanningParams {
     v("team_prediction_horizon_s", self.team_prediction_horizon_s, Range{0.0, 5.0}, "s", "the same for team-mates");
     v("prediction_speed_mps", self.prediction_speed_mps, Range{0.0, 20.0}, "m/s",
       "at which a robot is expected to drive to its goal, for the nearest approach");
+    v("prediction_turn_mps2", self.prediction_turn_mps2, Range{0.0, 1000.0}, "m/s^2",
+      "by which it gets there from the velocity it has; 0: at once");
     v("growth_radius_max_m", self.growth_radius_max_m, Range{0.0, 10.0}, "m",
       "robots grow with their distance from the goal, up to this radius (own body and margin included); 0: not");
     v("growth", self.growth, Range{0.0, 1.0}, "", "radius gained per distance from the goal");

@@ -38,6 +38,20 @@ double nearest_approach_s(const Course& a, const Course& b, double horizon_s) {
   return approach_s;
 }
 
+Course own_course(const RobotState& self, const Vec2& goal, const Prediction& prediction) {
+  Course course{self.pose.position_m, Vec2::Zero(), 0.0};
+  const Vec2 way = goal - self.pose.position_m;
+  if (!(prediction.speed_mps > 0.0) || way.isZero(0.0)) return course;
+  if (prediction.turn_mps2 > 0.0) {
+    const Vec2 off_mps = self.twist.velocity_mps - prediction.speed_mps * way.normalized();
+    course.from_m += off_mps * off_mps.norm() / (2.0 * prediction.turn_mps2);
+  }
+  const Vec2 rest = goal - course.from_m;
+  course.velocity_mps = prediction.speed_mps * rest.stableNormalized();
+  course.lasts_s = rest.norm() / prediction.speed_mps;
+  return course;
+}
+
 double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps) {
   return (goal - robot.pose.position_m).norm() / std::max(least_mps, robot.twist.velocity_mps.norm());
 }
@@ -45,13 +59,7 @@ double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps) {
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::span<const double> arrivals_s,
              const RobotState& self, const Vec2& goal, const Prediction& prediction, std::vector<Obstacle>& out) {
   out.assign(obstacles.begin(), obstacles.end());
-  // Of a robot that turns or sets out, the present velocity tells little about where it will be.
-  Course ours{self.pose.position_m, Vec2::Zero(), 0.0};
-  const Vec2 way = goal - self.pose.position_m;
-  if (prediction.speed_mps > 0.0 && !way.isZero(0.0)) {
-    ours.velocity_mps = prediction.speed_mps * way.normalized();
-    ours.lasts_s = way.norm() / prediction.speed_mps;
-  }
+  const Course ours = own_course(self, goal, prediction);
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const RobotState& other = world.robots[i];
     if (other.id == self.id) continue;

@@ -31,8 +31,13 @@ struct Prediction {
   double horizon_s = 0.0;       ///< of opponents
   double team_horizon_s = 0.0;  ///< of team-mates
   double speed_mps = 0.0;       ///< at which the robot itself is expected to drive straight to its goal, and stop there
+  double turn_mps2 = 0.0;       ///< by which it gets from its present velocity to that one; 0: at once
   bool operator==(const Prediction&) const = default;
 };
+
+/// Straight to the goal, from where the robot seems to come once it drives so: while its velocity turns it is carried
+/// off by v²/2a of what the velocities differ by.
+Course own_course(const RobotState& self, const Vec2& goal, const Prediction& prediction);
 
 /// When a robot that drives to the goal will stand there: at the speed it has, or at least_mps where it has less.
 double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps);

@@ -163,7 +163,8 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
   predict(graph_.field().obstacles(), world, arrivals_s_, robot, request.goal,
           {.horizon_s = params_.prediction_horizon_s,
            .team_horizon_s = params_.team_prediction_horizon_s,
-           .speed_mps = std::min(params_.prediction_speed_mps, speed_max_mps)},
+           .speed_mps = std::min(params_.prediction_speed_mps, speed_max_mps),
+           .turn_mps2 = params_.prediction_turn_mps2},
           predicted_);
   graph::SharedGraph& own = own_graph();
   own.reset(graph_.field().bounds(), predicted_);

@@ -62,6 +62,23 @@ TEST_CASE("who stands at its goal is not expected beyond it, and who sets out no
 
 constexpr double kSpeed_mps = 2.0;
 
+TEST_CASE("a robot drives straight to its goal, from where its turn carries it") {
+  RobotState robot;
+  const Prediction at_once{.speed_mps = kSpeed_mps};
+  CHECK(own_course(robot, {4.0, 0.0}, at_once).velocity_mps == Vec2(2.0, 0.0));
+  CHECK(own_course(robot, {4.0, 0.0}, at_once).lasts_s == Approx(2.0));
+  CHECK(own_course(robot, Vec2::Zero(), at_once).lasts_s == 0.0);
+  const Prediction turning{.speed_mps = kSpeed_mps, .turn_mps2 = 4.0};
+  // From rest it is behind by 2²/8.
+  CHECK(own_course(robot, {4.0, 0.0}, turning).from_m == Vec2(-0.5, 0.0));
+  robot.twist.velocity_mps = {2.0, 0.0};
+  CHECK(own_course(robot, {4.0, 0.0}, turning).from_m == Vec2(Vec2::Zero()));
+  robot.twist.velocity_mps = {2.0, 2.0};
+  const Course carried = own_course(robot, {4.0, 0.0}, turning);
+  CHECK(carried.from_m == Vec2(0.0, 0.5));
+  CHECK((carried.at(carried.lasts_s) - Vec2(4.0, 0.0)).norm() <= 1e-12);
+}
+
 TEST_CASE("others move to the approach and shrink off start and goal; oneself and what stands stay") {
   std::mt19937_64 random(92);
   int shrunk = 0;
@@ -83,10 +100,10 @@ TEST_CASE("others move to the approach and shrink off start and goal; oneself an
     std::vector<double> arrivals_s;
     for (std::size_t k = 0; k < 5; ++k) arrivals_s.push_back(k % 2 == 0 ? kForEver_s : uniform(random, 0.0, 1.0));
     std::vector<Obstacle> out;
-    predict(obstacles, world, arrivals_s, self, goal, {horizon_s, team_horizon_s, kSpeed_mps}, out);
-    const Vec2 way = goal - self.pose.position_m;
+    const Prediction prediction{horizon_s, team_horizon_s, kSpeed_mps, i % 2 == 0 ? 0.0 : 6.0};
+    predict(obstacles, world, arrivals_s, self, goal, prediction, out);
     // It does not drive on beyond its goal, and neither do others whose arrival is known.
-    const Course ours{self.pose.position_m, kSpeed_mps * way.normalized(), way.norm() / kSpeed_mps};
+    const Course ours = own_course(self, goal, prediction);
     REQUIRE(out.size() == obstacles.size());
     CHECK(out[2] == obstacles[2]);
     CHECK(out[5] == obstacles[5]);

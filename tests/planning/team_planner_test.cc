@@ -171,7 +171,7 @@ TEST_CASE("a team-mate that stops before it gets there is not planned around whe
   world.robots[0].id = {Team::yellow, 0};
   world.robots[0].pose.position_m = {-2.0, 0.0};
   world.robots[1].id = {Team::yellow, 1};
-  world.robots[1].pose.position_m = {0.0, -1.5};
+  world.robots[1].pose.position_m = {0.0, -2.0};
   world.robots[1].twist.velocity_mps = {0.0, 2.0};
   Targets targets;
   targets.targets.resize(1);
