@@ -58,7 +58,7 @@ class Controller {
 
   Told present_motion(const RobotState& robot) const;
   Intent intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const;
-  /// Where opponents are rough, what is wanted of robots leads into no crash that would be ours.
+  /// Takes away wanted speed towards opponents (careful_approach.h).
   void be_careful(std::span<SafetyRobot> robots, std::span<const Opponent> opponents) const;
   std::vector<Opponent> opponents_in(const WorldState& world, double dt_s);
   RobotCommand command(std::uint16_t robot, Told& told, const Twist& wanted, double dt_s) const;

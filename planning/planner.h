@@ -15,7 +15,7 @@ struct SearchResult {
   PlanStatus status = PlanStatus::not_found;
   std::vector<Vec2> path;
   std::string reason;
-  /// The search has tested all of the path by clearance.h: it is not tested again.
+  /// By the way it was found the whole path is free by clearance.h, so it is not tested again.
   bool is_known_free = false;
 };
 

@@ -36,16 +36,17 @@ struct Prediction {
 };
 
 /// Straight to the goal, from where the robot seems to come once it drives so: while its velocity turns it is carried
-/// off by v²/2a of what the velocities differ by.
+/// off by v²/2a of what the velocities differ by. Until the turn is over it is not there yet.
 Course own_course(const RobotState& self, const Vec2& goal, const Prediction& prediction);
 
 /// When a robot that drives to the goal will stand there: at the speed it has, or at least_mps where it has less.
 double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps);
 
 /// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i, which
-/// stands from arrivals_s[i] on (infinite where no goal is known), and is moved along its velocity to the nearest
-/// approach, at most so far ahead as the prediction reaches; then it shrinks as far as it would cover the start, or the
-/// goal without having covered it unmoved. Values are finite but for arrivals, all numbers of the prediction >= 0.
+/// stands from arrivals_s[i] on (one per robot, infinite where no goal is known), and is moved along its velocity to
+/// the nearest approach, at most so far ahead as the prediction reaches; then it shrinks as far as it would cover the
+/// start, or the goal without having covered it unmoved. Values are finite but for arrivals, all numbers of the
+/// prediction >= 0.
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::span<const double> arrivals_s,
              const RobotState& self, const Vec2& goal, const Prediction& prediction, std::vector<Obstacle>& out);
 

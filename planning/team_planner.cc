@@ -40,18 +40,24 @@ Plan halted() {
   return plan;
 }
 
+bool predicts(const PlanningParams& params) {
+  return params.prediction_horizon_s > 0.0 || params.team_prediction_horizon_s > 0.0;
+}
+
 /// A robot on its way that is slower than this is about to be faster: it sets out or turns.
 constexpr double kLeastOnWay_mps = 1.5;
 
 /// When each robot of the world will stand at its target; infinite for those without.
-void find_arrivals(const WorldState& world, const Targets& targets, std::vector<double>& arrivals_s) {
+void find_arrivals(const WorldState& world, const Targets& targets, double speed_max_mps,
+                   std::vector<double>& arrivals_s) {
   arrivals_s.assign(world.robots.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < world.robots.size(); ++i) {
     const RobotState& robot = world.robots[i];
     if (robot.id.team != targets.team) continue;
     const auto target = std::ranges::find(targets.targets, robot.id.number, &Target::robot);
     if (target == targets.targets.end() || !is_finite(target->pose.position_m)) continue;
-    arrivals_s[i] = arrival_s(robot, target->pose.position_m, kLeastOnWay_mps);
+    const double least_mps = std::min({kLeastOnWay_mps, target->speed_max_mps, speed_max_mps});
+    if (least_mps > 0.0) arrivals_s[i] = arrival_s(robot, target->pose.position_m, least_mps);
   }
 }
 
@@ -101,7 +107,7 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
   world_sequence_ = world.sequence;
   const std::int64_t robot_budget_ns = stopwatch != nullptr ? budget_ns(targets.targets.size()) : 0;
   own_graphs_used_ = 0;
-  find_arrivals(world, targets, arrivals_s_);
+  if (predicts(params_)) find_arrivals(world, targets, speed_max_mps, arrivals_s_);
   TeamPlans out;
   for (Target target : targets.targets) {
     const RobotState* robot = find_robot(world, {team_, target.robot});
@@ -158,8 +164,7 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
                              double speed_max_mps, PlanRequest request) {
   const std::size_t robots = obstacles.robots.size();
   lean(request, graph_.field().obstacles());
-  const bool predicts = params_.prediction_horizon_s > 0.0 || params_.team_prediction_horizon_s > 0.0;
-  if (!predicts || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
+  if (!predicts(params_) || !is_finite(request.goal)) return plan_in_field(graph_, robots, request);
   predict(graph_.field().obstacles(), world, arrivals_s_, robot, request.goal,
           {.horizon_s = params_.prediction_horizon_s,
            .team_horizon_s = params_.team_prediction_horizon_s,

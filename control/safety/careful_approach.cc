@@ -13,7 +13,7 @@ namespace {
 constexpr double kGain_mps = 0.5;
 constexpr double kLeastClosing_mps = 1.0;
 
-/// Farther opponents hold nothing down: there the cap is above all speeds.
+/// Farther opponents hold nothing down: until they are near there is time to be careful.
 constexpr double kFar_m = 3.0;
 
 /// Less speed towards one opponent may be more towards another; so often all are looked at.

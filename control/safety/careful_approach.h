@@ -1,4 +1,5 @@
-// Driving so that a crash is nobody's foul of ours, whatever the opponent does next.
+// Wishing for so much speed towards opponents that a crash is no foul of ours, if they gain no more than 0.5 m/s until
+// then. What is wished for only: a robot that is faster already, or dodges, may still commit one.
 #pragma once
 
 #include <span>

@@ -1,5 +1,6 @@
-// Do these opponents run into us? Who avoids nobody shows it soon, and then it pays to drive so that a crash is theirs.
-// Among opponents that keep clear, as most do, the same care would only cost pace.
+// Do these opponents and we run into each other? Whose fault it is is not asked. Who avoids nobody shows it soon, and
+// then it pays to drive so that a crash is theirs. Among opponents that keep clear, as most do, the same care would
+// only cost pace.
 #pragma once
 
 #include <set>

@@ -1,5 +1,7 @@
 #include "planning/graph/detours.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace regista::graph {
@@ -7,6 +9,9 @@ namespace {
 
 /// Double precision rounds by 1e-16; sums and products of four numbers stay far below.
 constexpr double kRounding = 1e-12;
+
+/// Who is nearer to a gate's line than this share of all lengths is on it as far as crossings of lines can tell.
+constexpr double kBeside = 1e-6;
 
 /// Infinite where the end cannot be passed.
 double past_end_m(const Vec2& from, const Vec2& end, bool is_passed, const Vec2& to) {
@@ -77,7 +82,13 @@ double Detours::least_m(const Vec2& from, const Vec2& to) const {
   for (const Gate& gate : gates_) {
     const Vec2 across = gate.b - gate.a;
     if ((cross(way, gate.a - from) < 0.0) == (cross(way, gate.b - from) < 0.0)) continue;
-    if ((cross(across, from - gate.a) < 0.0) == (cross(across, to - gate.a) < 0.0)) continue;
+    const double from_beside = cross(across, from - gate.a);
+    const double to_beside = cross(across, to - gate.a);
+    if ((from_beside < 0.0) == (to_beside < 0.0)) continue;
+    // On the gate's own line the sides are rounding, and a way along it crosses nothing.
+    const double unsure =
+        kBeside * across.cwiseAbs().sum() * (from.cwiseAbs().sum() + to.cwiseAbs().sum() + gate.a.cwiseAbs().sum());
+    if (std::abs(from_beside) <= unsure || std::abs(to_beside) <= unsure) continue;
     least_m = std::max(least_m, std::min(past_end_m(from, gate.a, gate.is_passed_at_a, to),
                                          past_end_m(from, gate.b, gate.is_passed_at_b, to)));
   }

@@ -21,6 +21,13 @@ constexpr double kCorridor_m = 0.6;
 /// A leg between two that are apart by more than kTangentTouch_m is longer.
 constexpr double kTouching_m = 1e-3;
 
+/// Bodies within this of the origin are touched far more exactly than clearance asks for: 1e-16 of it.
+constexpr double kExact_m = 1e4;
+
+bool is_within(const Obstacle& obstacle, double distance_m) {
+  return obstacle.a.cwiseAbs().sum() + obstacle.b.cwiseAbs().sum() + obstacle.radius_m < distance_m;
+}
+
 }  // namespace
 
 TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
@@ -162,8 +169,9 @@ void TangentFront::activate_pending(SharedGraph& graph) {
   pending_.clear();
 }
 
-/// All legs were tested on the way; only of those between two that touch the direction is rounded. A polyline can only
-/// meet what its arc nearly touches.
+/// All legs were tested on the way against all but the bodies they touch, and touch those to within rounding: that is
+/// enough unless the leg is so short or a body so far out or large that rounding is near what counts as touching. A
+/// polyline can only meet what its arc nearly touches.
 void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
   chain_.clear();
   for (LegIndex leg = last_; leg != kStart; leg = arrivals_[legs_[leg].parent].leg) chain_.push_back(leg);
@@ -183,6 +191,7 @@ void TangentFront::trace(SharedGraph& graph, std::vector<Vec2>& path) {
       return;
     }
     const ActiveObstacles::Slot& slot = active_[leg.state / 2];
+    is_path_known_free_ = is_path_known_free_ && is_within(graph.field().obstacles()[slot.obstacle], kExact_m);
     const Place& leave = legs_[chain_[i - 1]].from;
     const std::size_t first = path.size();
     const Contacts::Of near = append_arc(graph, slot.obstacle, slot.body, {leg.to, leave, side_of(leg.state)}, path);

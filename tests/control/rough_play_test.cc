@@ -2,6 +2,7 @@
 #include "control/safety/rough_play.h"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "control/safety/careful_approach.h"
 #include "tests/control/ideal_team.h"

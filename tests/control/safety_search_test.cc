@@ -195,6 +195,8 @@ TEST_CASE("two teams that choose at once without knowing of each other's choice 
   // Halves are exact on a line; in the plane they are so nearly that the margin takes up the rest.
   CHECK(3 * with_room <= without);
   CHECK(contacts_of_two_teams(SafetyParams{}.opponent_reaction_s, SafetyParams{}.opponent_margin_m) == 0);
+  // Rooms for an opponent that moves the end of its braking less than it can are too small.
+  CHECK(contacts_of_two_teams(SafetyParams{}.opponent_reaction_s / 8.0, 0.0) > with_room);
 }
 
 TEST_CASE("who must stand brakes straight ahead and then stands, whoever comes") {

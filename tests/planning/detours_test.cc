@@ -53,4 +53,20 @@ TEST_CASE("a disc, a bar and an area right in the way cost nearly what they cost
   CHECK(share_of_detour(rounded_rectangle({4.2, -1.8}, {6.2, 1.8}, 0.1), {5, -3}, {5, 3}) > 0.5);
 }
 
+TEST_CASE("a way along the line of a bar, past its end, is as long as it is") {
+  const Bounds bounds{{6.0, 4.5}};
+  std::mt19937_64 random(20);
+  const auto on_grid = [&](int most) { return 0.1 * static_cast<double>(random() % static_cast<unsigned>(most)); };
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 step(0.1 + on_grid(5), on_grid(5));
+    const Vec2 a(-2.0 - on_grid(10), -2.0 + on_grid(10));
+    const Vec2 from = a + 5.0 * step;
+    const Vec2 to = a + 7.0 * step;
+    Detours detours;
+    detours.add(capsule(a, a + step, 0.1), bounds);
+    INFO("bar " << i << " of seed 20, from " << a.transpose() << " by " << step.transpose());
+    REQUIRE(detours.least_m(from, to) <= (to - from).norm() + 1e-9);
+  }
+}
+
 }  // namespace regista::graph

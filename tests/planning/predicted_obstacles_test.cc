@@ -3,6 +3,7 @@
 #include "planning/predicted_obstacles.h"
 
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "planning/clearance.h"
 #include "planning/uniform.h"
