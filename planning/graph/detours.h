@@ -2,6 +2,7 @@
 // which of its legs lead nowhere near, before it goes there.
 #pragma once
 
+#include <array>
 #include <experimental/simd>
 #include <vector>
 

@@ -1,6 +1,8 @@
 // Common tangents where it is plain at which corners they touch, as it mostly is: what most of them cost.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <experimental/simd>
 
 #include "planning/graph/tangent.h"
