@@ -24,6 +24,38 @@ constexpr std::size_t kSmallField = 64;
 using Lanes = float __attribute__((vector_size(32)));
 using Bits = std::int32_t __attribute__((vector_size(32)));
 
+/// A bit for each lane.
+constexpr Bits kFirstBits{1, 1 << 1, 1 << 2, 1 << 3, 1 << 4, 1 << 5, 1 << 6, 1 << 7};
+
+/// All bits of a lane are set where the box is not separated from the sweep along x, along y, or across the segment
+/// (for a point as core, exactly by its distance to the line).
+constexpr auto near_bits = [](const auto& block, const auto& sweep) __attribute__((always_inline)) {
+  const auto load = [](const auto& column) __attribute__((always_inline)) {
+    return *reinterpret_cast<const Lanes*>(column.data());
+  };
+  const auto magnitude = [](const Lanes& lanes) __attribute__((always_inline)) {
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(lanes) & 0x7FFFFFFF);
+  };
+  const Lanes x = load(block.x) - sweep.x;
+  const Lanes y = load(block.y) - sweep.y;
+  const Lanes half_x = load(block.half_x);
+  const Lanes half_y = load(block.half_y);
+  const Lanes radius = load(block.radius);
+  const Lanes apart = magnitude(sweep.along_x * y - sweep.along_y * x);
+  const float across_x = std::abs(sweep.along_y);
+  const float across_y = std::abs(sweep.along_x);
+  return (magnitude(x) <= half_x + (radius + sweep.half_x)) & (magnitude(y) <= half_y + (radius + sweep.half_y)) &
+         (apart <= across_x * half_x + (across_y * half_y + (radius + sweep.radius)));
+};
+
+/// The bits of all lanes in one number.
+constexpr auto joined = [](const Bits& bits) __attribute__((always_inline)) {
+  const auto low = __builtin_shufflevector(bits, bits, 0, 1, 2, 3);
+  const auto halves = low | __builtin_shufflevector(bits, bits, 4, 5, 6, 7);
+  const auto quarters = halves | __builtin_shufflevector(halves, halves, 2, 3, 0, 1);
+  return static_cast<std::uint32_t>(quarters[0] | quarters[1]);
+};
+
 /// A padding box: its radius is below minus anything, so nothing is near enough.
 constexpr float kNever = -1e30F;
 
@@ -96,33 +128,22 @@ ObstacleBoxes::Sweep ObstacleBoxes::sweep_of(const Motion& motion) const {
           static_cast<float>(radius_m)};
 }
 
-/// Not separated along x, along y, or across the segment (for a point as core, exactly by its distance to the line).
 REGISTA_WIDE std::uint32_t ObstacleBoxes::hits(const Block* begin, const Block* end, const Sweep& sweep) {
-  const auto load = [](const std::array<float, kLanes>& column) __attribute__((always_inline)) {
-    return *reinterpret_cast<const Lanes*>(column.data());
-  };
-  const auto magnitude = [](const Lanes& lanes) __attribute__((always_inline)) {
-    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(lanes) & 0x7FFFFFFF);
-  };
-  const float across_x = std::abs(sweep.along_y);
-  const float across_y = std::abs(sweep.along_x);
   Bits hits{};
-  Bits bit{1, 1 << 1, 1 << 2, 1 << 3, 1 << 4, 1 << 5, 1 << 6, 1 << 7};
-  for (const Block* block = begin; block != end; ++block, bit <<= kLanes) {
-    const Lanes x = load(block->x) - sweep.x;
-    const Lanes y = load(block->y) - sweep.y;
-    const Lanes half_x = load(block->half_x);
-    const Lanes half_y = load(block->half_y);
-    const Lanes radius = load(block->radius);
-    const Lanes apart = magnitude(sweep.along_x * y - sweep.along_y * x);
-    hits |= (magnitude(x) <= half_x + (radius + sweep.half_x)) & (magnitude(y) <= half_y + (radius + sweep.half_y)) &
-            (apart <= across_x * half_x + (across_y * half_y + (radius + sweep.radius))) & bit;
+  Bits bit = kFirstBits;
+  for (const Block* block = begin; block != end; ++block, bit <<= kLanes) hits |= near_bits(*block, sweep) & bit;
+  return joined(hits);
+}
+
+REGISTA_WIDE void ObstacleBoxes::group_hits(const Block* blocks, std::uint32_t groups, const Sweep& sweep,
+                                            std::array<GroupHits, kChunk>& hits) {
+  static_assert(kGroupSize == 2 * kLanes);
+  GroupHits* out = hits.data();
+  for (; groups != 0; groups &= groups - 1) {
+    const Block* const pair = blocks + 2 * std::countr_zero(groups);
+    *out++ = static_cast<GroupHits>(
+        joined((near_bits(pair[0], sweep) & kFirstBits) | (near_bits(pair[1], sweep) & (kFirstBits << kLanes))));
   }
-  static_assert(kLanes == 8);
-  const auto low = __builtin_shufflevector(hits, hits, 0, 1, 2, 3);
-  const auto halves = low | __builtin_shufflevector(hits, hits, 4, 5, 6, 7);
-  const auto quarters = halves | __builtin_shufflevector(halves, halves, 2, 3, 0, 1);
-  return static_cast<std::uint32_t>(quarters[0] | quarters[1]);
 }
 
 void ObstacleBoxes::clear() {

@@ -71,6 +71,15 @@ class ObstacleBoxes {
   static std::uint32_t hits(const Block* begin, const Block* end, const Sweep& sweep);
   static constexpr std::size_t kChunk = 32;
 
+  /// Bits of the boxes of one group.
+  using GroupHits = std::uint16_t;
+  static_assert(kGroupSize == 16);
+
+  /// The same for the boxes of those groups whose bits are set: the first in hits[0], and so on. All of them in one
+  /// call, or the calls cost more than the boxes.
+  static void group_hits(const Block* blocks, std::uint32_t groups, const Sweep& sweep,
+                         std::array<GroupHits, kChunk>& hits);
+
   /// Calls visit(i) for the bits of `hits`, until it returns true; then true.
   template <class Visit>
   static bool visit_bits(std::uint32_t hits, Visit&& visit) {
@@ -97,14 +106,18 @@ void ObstacleBoxes::visit_near(const Motion& motion, Visit&& visit) const {
   for (std::size_t first = 0; first < top.size(); first += kBlocks) {
     const Block* const begin = top.data() + first;
     const std::uint32_t near = hits(begin, top.data() + std::min(first + kBlocks, top.size()), sweep);
-    const auto visit_box = [&](std::size_t i) { return visit(index_[first * kLanes + i]); };
+    if (groups_.empty()) {
+      if (visit_bits(near, [&](std::size_t i) { return visit(index_[first * kLanes + i]); })) return;
+      continue;
+    }
+    std::array<GroupHits, kChunk> of_groups;
+    group_hits(blocks_.data() + first * kGroupSize, near, sweep, of_groups);
+    const GroupHits* of_group = of_groups.data();
     const auto visit_group = [&](std::size_t i) {
-      const std::size_t group = (first * kLanes + i) * kGroupSize;
-      const Block* const of_group = blocks_.data() + group / kLanes;
-      return visit_bits(hits(of_group, of_group + kGroupSize / kLanes, sweep),
-                        [&](std::size_t k) { return visit(index_[group + k]); });
+      const ObstacleIndex* const index = index_.data() + (first * kLanes + i) * kGroupSize;
+      return visit_bits(*of_group++, [&](std::size_t k) { return visit(index[k]); });
     };
-    if (groups_.empty() ? visit_bits(near, visit_box) : visit_bits(near, visit_group)) return;
+    if (visit_bits(near, visit_group)) return;
   }
 }
 
