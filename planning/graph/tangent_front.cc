@@ -12,11 +12,10 @@ constexpr int kStepsPerTimeCheck = 64;
 constexpr int kLegsBeforeProof = 64;
 constexpr int kLegsWithoutHope = 192;
 
-/// Laying out a corridor costs as much as a few legs, each of which costs more the larger the field is. Most detours
-/// stay within.
-constexpr int kLegsBeforeCorridor = 4;
+/// In a large field a leg costs the more the larger it is, and laying out a corridor as much as one leg or two. Most
+/// detours stay within.
 constexpr std::size_t kLargeField = 64;
-constexpr double kCorridor_m = 0.6;
+constexpr double kCorridor_m = 0.5;
 
 /// A leg between two that are apart by more than kTangentTouch_m is longer.
 constexpr double kTouching_m = 1e-3;
@@ -43,9 +42,6 @@ TangentFront::Progress TangentFront::advance(SharedGraph& graph, int legs) {
     }
     if (is_put_off(next)) continue;
     ++legs_tested_;
-    if (legs_tested_ == kLegsBeforeCorridor && field_->size() > kLargeField) {
-      corridor_.lay_out(*field_, query_.start, query_.goal, kCorridor_m);
-    }
     if (legs_tested_ == kLegsBeforeProof) {
       is_separated_ = separation_.separates(graph.field(), graph.overlaps(), query_.start, query_.goal, query_.ignored);
     }
@@ -103,6 +99,7 @@ void TangentFront::begin(SharedGraph& graph, const Query& query) {
   if (query.straight_blockers.empty()) {
     depart(kStart, goal_, 1.0, kGoalState);
   } else {
+    if (field_->size() > kLargeField) corridor_.lay_out(*field_, query_.start, query_.goal, kCorridor_m);
     pend_deepest(graph.field(), query.start, query.goal, query.straight_blockers);
     activate_pending(graph);
   }
