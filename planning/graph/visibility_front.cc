@@ -177,13 +177,13 @@ bool VisibilityFront::is_free_of_marked(const Vec2& from, const Vec2& to) {
   // What blocked an edge blocks its neighbours as well.
   if (recent_ != kBounds) {
     const Obstacle& obstacle = field_->obstacles()[recent_];
-    if (!is_free_of_disc(from, to, obstacle.a, obstacle.radius_m)) return false;
+    if (!is_free(from, to, obstacle)) return false;
   }
   bool is_blocked = false;
   marked_boxes_.visit_near(from, to, 0.0, [&](ObstacleIndex i) {
     const Obstacle& obstacle = field_->obstacles()[i];
     is_blocked = !is_free(from, to, obstacle);
-    if (is_blocked && obstacle.core == Core::point) recent_ = i;
+    if (is_blocked) recent_ = i;
     return is_blocked;
   });
   return !is_blocked;

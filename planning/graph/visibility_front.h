@@ -84,7 +84,7 @@ class VisibilityFront {
   std::vector<ObstacleIndex> marked_;
   ObstacleBoxes marked_boxes_;           ///< the same, for fast tests
   std::vector<std::uint8_t> is_marked_;  ///< by obstacle
-  ObstacleIndex recent_ = kBounds;       ///< a marked disc that blocked something lately, or kBounds
+  ObstacleIndex recent_ = kBounds;       ///< a marked obstacle that blocked something lately, or kBounds
   std::vector<ObstacleIndex> blockers_;  ///< scratch
   double limit_m_ = 0.0;                 ///< edges of a larger estimate wait outside of the queue
   double least_beyond_m_ = 0.0;          ///< the least estimate of these
