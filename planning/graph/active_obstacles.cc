@@ -23,7 +23,7 @@ void ActiveObstacles::clear(std::size_t obstacles) {
   is_active_.assign(obstacles, 0);
 }
 
-void ActiveObstacles::add(const ObstacleField& field, ObstacleIndex obstacle, const Vec2& goal) {
+void ActiveObstacles::add(const ObstacleField& field, ObstacleIndex obstacle, const Body& body, const Vec2& goal) {
   const Obstacle& shape = field.obstacles()[obstacle];
   const Vec2 middle = 0.5 * (shape.a + shape.b);
   const double extent_m = (shape.b - middle).norm() + shape.radius_m;
@@ -36,7 +36,7 @@ void ActiveObstacles::add(const ObstacleField& field, ObstacleIndex obstacle, co
   around_.push_back(
       {middle, (shape.b - middle).cwiseAbs(), shape.radius_m + kRounding * (middle.cwiseAbs().sum() + extent_m)});
   boxes_.append(shape, static_cast<std::uint32_t>(slots_.size()));
-  slots_.push_back({body_of(shape), obstacle});
+  slots_.push_back({body, obstacle});
   list_.push_back(obstacle);
   is_active_[obstacle] = 1;
 }

@@ -18,8 +18,8 @@ namespace regista::graph {
 class ActiveObstacles {
  public:
   struct Slot {
-    Body body;
-    ObstacleIndex obstacle = 0;
+    const Body& body;
+    ObstacleIndex obstacle;
   };
 
   /// Where ways go on from.
@@ -32,8 +32,8 @@ class ActiveObstacles {
   /// For a field of so many obstacles.
   void clear(std::size_t obstacles);
 
-  /// One more, which must not be there yet.
-  void add(const ObstacleField& field, ObstacleIndex obstacle, const Vec2& goal);
+  /// One more, which must not be there yet. Its body is not copied.
+  void add(const ObstacleField& field, ObstacleIndex obstacle, const Body& body, const Vec2& goal);
 
   std::size_t size() const { return slots_.size(); }
   const Slot& operator[](std::uint32_t slot) const { return slots_[slot]; }

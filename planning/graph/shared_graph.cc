@@ -46,6 +46,7 @@ bool SharedGraph::is_same_field(const Bounds& bounds, std::span<const Obstacle> 
 }
 
 void SharedGraph::forget() {
+  bodies_.reset(field_.size());
   contacts_.reset(field_.size());
   sample_counts_.assign(field_.size(), kUnknown);
   edges_.clear();

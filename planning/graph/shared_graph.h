@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "planning/graph/bodies.h"
 #include "planning/graph/contacts.h"
 #include "planning/graph/edge_memo.h"
 #include "planning/graph/graph_picture.h"
@@ -48,6 +49,9 @@ class SharedGraph {
   /// returned. The span is valid until the graph is asked again.
   std::span<const ObstacleIndex> covering(NodeId node) const { return list(nodes_[node].covering); }
   std::span<const ObstacleIndex> blockers(NodeId from, NodeId to);
+
+  /// Valid until the next frame.
+  const Body& body(ObstacleIndex obstacle) { return bodies_.of(field_, obstacle); }
 
   /// Where the boundary of an obstacle cannot be run along; `body` is the obstacle's. Valid until the graph is asked
   /// again.
@@ -94,6 +98,7 @@ class SharedGraph {
   void sample(ObstacleIndex obstacle);
 
   ObstacleField field_;
+  Bodies bodies_;
   Contacts contacts_;
   std::vector<std::uint8_t> sample_counts_;  ///< by obstacle, or kUnknown
   std::vector<Node> nodes_;                  ///< by NodeId; of no meaning where the obstacle was not sampled

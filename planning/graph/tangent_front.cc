@@ -144,7 +144,7 @@ void TangentFront::pend_deepest(const ObstacleField& field, const Vec2& from, co
 }
 
 void TangentFront::activate(SharedGraph& graph, ObstacleIndex obstacle) {
-  active_.add(graph.field(), obstacle, query_.goal);
+  active_.add(graph.field(), obstacle, graph.body(obstacle), query_.goal);
   first_here_.resize(2 * active_.size(), kNone);
   const auto slot = static_cast<State>(active_.size() - 1);
   for (ArrivalIndex i = 0; i < arrivals_.size(); ++i) {
