@@ -17,21 +17,22 @@ double outside_m(const Vec2& point, const Bounds& bounds) { return (point - clam
 
 std::optional<Vec2> GoalAdjustment::nearest_free_point(const ObstacleField& field, const Vec2& point,
                                                        std::span<const std::size_t> ignored) {
-  if (field.is_free(point, ignored)) return point;
-  field_ = &field;
-  ignored_ = ignored;
-  from_ = point;
-  is_way_out_ = false;
-  return nearest_on_outlines();
+  return nearest(field, point, ignored, false);
 }
 
 std::optional<Vec2> GoalAdjustment::way_out(const ObstacleField& field, const Vec2& start,
                                             std::span<const std::size_t> ignored) {
-  if (field.is_free(start, ignored)) return start;
+  return nearest(field, start, ignored, true);
+}
+
+std::optional<Vec2> GoalAdjustment::nearest(const ObstacleField& field, const Vec2& point,
+                                            std::span<const std::size_t> ignored, bool is_way_out) {
   field_ = &field;
   ignored_ = ignored;
-  from_ = start;
-  is_way_out_ = true;
+  from_ = point;
+  is_way_out_ = is_way_out;
+  find_covering();
+  if (covering_.empty() && is_inside(point, field.bounds())) return point;
   return nearest_on_outlines();
 }
 
@@ -41,7 +42,6 @@ std::optional<Vec2> GoalAdjustment::nearest_on_outlines() {
   best_m_ = shadowed_m_ = std::numeric_limits<double>::infinity();
   best_.reset();
   nearest_.clear();
-  find_covering();
   if (!try_deepest()) {
     const double all_m = farthest_border_m();
     constexpr double kBeyond_m = 0.5;  // two robots' radii and as much again

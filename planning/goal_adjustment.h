@@ -26,6 +26,8 @@ class GoalAdjustment {
   std::optional<Vec2> way_out(const ObstacleField& field, const Vec2& start, std::span<const std::size_t> ignored = {});
 
  private:
+  std::optional<Vec2> nearest(const ObstacleField& field, const Vec2& point, std::span<const std::size_t> ignored,
+                              bool is_way_out);
   std::optional<Vec2> nearest_on_outlines();
   bool admits(const Vec2& candidate, double distance_m);
   bool is_in_shadow(const Vec2& candidate) const;
