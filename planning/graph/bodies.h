@@ -1,6 +1,7 @@
 // The boundaries of a frame's obstacles, each laid out when it is first asked for, and kept for all robots.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "planning/graph/body.h"
