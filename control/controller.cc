@@ -1,64 +1,19 @@
 #include "control/controller.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "control/bang_bang.h"
+#include "control/controller_input.h"
 #include "control/heading_controller.h"
 #include "control/motion_limits.h"
 #include "control/path_follower.h"
 #include "control/path_legs.h"
+#include "control/present_motion.h"
 #include "control/safety/careful_approach.h"
 #include "planning/planner.h"
 
 namespace regista {
 namespace {
-
-void require_finite(double value, RobotId robot, const char* what) {
-  if (std::isfinite(value)) return;
-  throw std::invalid_argument("Controller: " + std::string(what) + " of " + to_string(robot) + " is " +
-                              std::to_string(value));
-}
-
-void require_finite(const Vec2& value, RobotId robot, const char* what) {
-  require_finite(value.x(), robot, what);
-  require_finite(value.y(), robot, what);
-}
-
-void check(const RobotState& robot) {
-  require_finite(robot.pose.position_m, robot.id, "position");
-  require_finite(robot.pose.heading_rad, robot.id, "heading");
-  require_finite(robot.twist.velocity_mps, robot.id, "velocity");
-  require_finite(robot.twist.angular_radps, robot.id, "turning rate");
-}
-
-void check(const RobotPlan& plan) {
-  for (const Vec2& point : plan.plan.path) require_finite(point, plan.robot, "path");
-  require_finite(plan.target.pose.heading_rad, plan.robot, "target heading");
-  require_finite(plan.target.speed_max_mps, plan.robot, "target speed limit");
-}
-
-/// The time to count with: longer pauses must not make commands jump.
-double period(double dt_s, double period_max_s) {
-  if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
-    throw std::invalid_argument("Controller: dt_s must be positive and finite, is " + std::to_string(dt_s));
-  }
-  return std::min(dt_s, period_max_s);
-}
-
-/// The team's plans by robot number, checked.
-std::map<std::uint16_t, const RobotPlan*> plans_of(Team team, std::span<const RobotPlan> plans) {
-  std::map<std::uint16_t, const RobotPlan*> by_robot;
-  for (const RobotPlan& plan : plans) {
-    check(plan);
-    if (plan.robot.team == team && !by_robot.emplace(plan.robot.number, &plan).second) {
-      throw std::invalid_argument("Controller: two plans for " + to_string(plan.robot));
-    }
-  }
-  return by_robot;
-}
 
 /// A plan that does not reach the goal still leads as near as is known, so it is driven too.
 bool can_be_driven(const RobotPlan& plan) { return plan.plan.status != PlanStatus::invalid && !plan.plan.path.empty(); }
@@ -86,38 +41,6 @@ void Controller::set_params(const ControlParams& params) {
   safety_mode(params.safety.mode);
   wheels_ = TeamWheels(params.wheels, params.robot_wheels);
   params_ = params;
-}
-
-/// The last command is what the robot does, delays aside, and carries no noise of vision, while the estimate would feed
-/// its noise back. So it is the present motion wherever the estimate does not contradict it. A robot that was hit, is
-/// held or was put elsewhere contradicts it: there the last command is drawn towards the estimate as far as is
-/// plausible, which at the border of "plausible" is no jump. A robot seen first moves as estimated.
-Controller::Told Controller::present_motion(const RobotState& robot) const {
-  const auto last = last_.find(robot.id.number);
-  const double speed_max = params_.limits.speed_max_mps;
-  const double rate_max = params_.limits.angular_speed_max_radps;
-  if (last == last_.end()) {
-    return {
-        {clamped_norm(robot.twist.velocity_mps, speed_max), std::clamp(robot.twist.angular_radps, -rate_max, rate_max)},
-        robot.pose.heading_rad};
-  }
-  const Twist& told = last->second.twist;
-  const Vec2 error = told.velocity_mps - robot.twist.velocity_mps;
-  const double rate_error = told.angular_radps - robot.twist.angular_radps;
-  const double rate_error_max = params_.plausible_angular_error_radps;
-  // Drawing must not make a command faster than the robot may be; one that is because its limit was lowered slows down.
-  const double speed_cap = std::max(speed_max, told.velocity_mps.norm());
-  const double rate_cap = std::max(rate_max, std::abs(told.angular_radps));
-  Told motion{told, robot.pose.heading_rad};
-  if (error.norm() > params_.plausible_speed_error_mps) {
-    motion.twist.velocity_mps =
-        clamped_norm(robot.twist.velocity_mps + clamped_norm(error, params_.plausible_speed_error_mps), speed_cap);
-  }
-  if (std::abs(rate_error) > rate_error_max) {
-    const double drawn = robot.twist.angular_radps + std::clamp(rate_error, -rate_error_max, rate_error_max);
-    motion.twist.angular_radps = std::clamp(drawn, -rate_cap, rate_cap);
-  }
-  return motion;
 }
 
 /// Limits the wanted motion against the present one, which becomes what is commanded, and converts.
@@ -155,7 +78,9 @@ TeamCommands Controller::begin(const WorldState* world) {
 /// What the plan asks the robot to do next; a robot without one that can be driven shall stand.
 Controller::Intent Controller::intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const {
   Intent intent;
-  intent.told = present_motion(robot);
+  const auto last = last_.find(robot.id.number);
+  intent.told = {present_motion(robot.twist, last == last_.end() ? nullptr : &last->second.twist, params_),
+                 robot.pose.heading_rad};
   const Pose pose = after_lag(robot, params_.drive_lag_s);
   intent.robot = {pose.position_m, intent.told.twist.velocity_mps, Vec2::Zero(), params_.limits.speed_max_mps};
   intent.robot.must_stand = true;
@@ -206,7 +131,7 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
                                 const Surroundings& around) {
   const double period_s = period(dt_s, params_.period_max_s);
   const auto plan_of = plans_of(team_, plans);
-  for (const RobotState& robot : world.robots) check(robot);
+  require_finite(world);
 
   std::vector<std::uint16_t> numbers;
   std::vector<Intent> intents;

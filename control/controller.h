@@ -56,7 +56,6 @@ class Controller {
     double arrival_s = 0.0;
   };
 
-  Told present_motion(const RobotState& robot) const;
   Intent intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const;
   /// Takes away wanted speed towards opponents (careful_approach.h).
   void be_careful(std::span<SafetyRobot> robots, std::span<const Opponent> opponents) const;
