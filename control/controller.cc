@@ -129,7 +129,7 @@ void Controller::be_careful(std::span<SafetyRobot> robots, std::span<const Oppon
 
 TeamCommands Controller::update(const WorldState& world, std::span<const RobotPlan> plans, double dt_s,
                                 const Surroundings& around) {
-  const double period_s = period(dt_s, params_.period_max_s);
+  const double period_s = checked_period_s(dt_s, params_.period_max_s);
   const auto plan_of = plans_of(team_, plans);
   require_finite(world);
 
@@ -161,7 +161,7 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
 }
 
 TeamCommands Controller::brake(const WorldState* last_world, double dt_s) {
-  const double period_s = period(dt_s, params_.period_max_s);
+  const double period_s = checked_period_s(dt_s, params_.period_max_s);
   TeamCommands out = begin(last_world);
   for (auto& [robot, motion] : last_) {
     // Nobody sees the robot: it has turned as it was told.

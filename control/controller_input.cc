@@ -38,7 +38,7 @@ void require_finite(const WorldState& world) {
   for (const RobotState& robot : world.robots) check(robot);
 }
 
-double period(double dt_s, double period_max_s) {
+double checked_period_s(double dt_s, double period_max_s) {
   if (!(dt_s > 0.0) || !std::isfinite(dt_s)) {
     throw std::invalid_argument("Controller: dt_s must be positive and finite, is " + std::to_string(dt_s));
   }

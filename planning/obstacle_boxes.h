@@ -75,8 +75,9 @@ class ObstacleBoxes {
   using GroupHits = std::uint16_t;
   static_assert(kGroupSize == 16);
 
-  /// The same for the boxes of those groups whose bits are set: the first in hits[0], and so on. All of them in one
-  /// call, or the calls cost more than the boxes.
+  /// The same for the boxes of those groups whose bits are set, bit 0 for the group that `blocks` begins with: of the
+  /// first in hits[0], and so on, no more written than bits are set. All in one call, or the calls cost more than the
+  /// boxes.
   static void group_hits(const Block* blocks, std::uint32_t groups, const Sweep& sweep,
                          std::array<GroupHits, kChunk>& hits);
 

@@ -18,7 +18,7 @@ namespace regista::graph {
 class ActiveObstacles {
  public:
   struct Slot {
-    const Body& body;
+    const Body& body;  ///< the graph's, valid for its frame
     ObstacleIndex obstacle;
   };
 
@@ -32,7 +32,7 @@ class ActiveObstacles {
   /// For a field of so many obstacles.
   void clear(std::size_t obstacles);
 
-  /// One more, which must not be there yet. Its body is not copied.
+  /// One more, which must not be there yet. Its body is not copied: it must stay where it is until the last use.
   void add(const ObstacleField& field, ObstacleIndex obstacle, const Body& body, const Vec2& goal);
 
   std::size_t size() const { return slots_.size(); }

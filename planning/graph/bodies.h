@@ -11,7 +11,7 @@ namespace regista::graph {
 
 class Bodies {
  public:
-  /// Forgets everything, at no cost; the number of obstacles of the new field.
+  /// Forgets everything without touching it; `obstacles`: how many the new field has.
   void reset(std::size_t obstacles) {
     ++frame_;
     if (known_.size() < obstacles) known_.resize(obstacles);
