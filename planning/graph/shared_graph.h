@@ -50,12 +50,11 @@ class SharedGraph {
   std::span<const ObstacleIndex> covering(NodeId node) const { return list(nodes_[node].covering); }
   std::span<const ObstacleIndex> blockers(NodeId from, NodeId to);
 
-  /// Valid until the next frame.
+  /// The boundary of an obstacle. Valid until the next frame.
   const Body& body(ObstacleIndex obstacle) { return bodies_.of(field_, obstacle); }
 
-  /// Where the boundary of an obstacle cannot be run along; `body` is the obstacle's. Valid until the graph is asked
-  /// again.
-  Contacts::Of contacts(ObstacleIndex obstacle, const Body& body) { return contacts_.of(field_, obstacle, body); }
+  /// Where the boundary of an obstacle cannot be run along. Valid until the graph is asked again.
+  Contacts::Of contacts(ObstacleIndex obstacle) { return contacts_.of(field_, obstacle, body(obstacle)); }
 
   /// All pairs of obstacles that overlap. Valid until the next frame.
   std::span<const Overlap> overlaps();

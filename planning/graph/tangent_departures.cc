@@ -31,7 +31,7 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
   const Leg& leg = legs_[index];
   const ActiveObstacles::Slot& slot = active_[leg.state / 2];
   const double side = side_of(leg.state);
-  const std::span<const Cut> cuts = graph.contacts(slot.obstacle, slot.body).cuts;
+  const std::span<const Cut> cuts = graph.contacts(slot.obstacle).cuts;
   ArrivalIndex& first_here = first_here_[leg.state];
   double order = 0.0;
   if (!cuts.empty() || first_here != kNone) order = order_of(slot.body, leg.to);

@@ -101,7 +101,7 @@ void append_corner(const SharedGraph& graph, std::span<const ObstacleIndex> brus
 
 Contacts::Of append_arc(SharedGraph& graph, ObstacleIndex obstacle, const Body& body, const Arc& arc,
                         std::vector<Vec2>& path) {
-  const Contacts::Of near = graph.contacts(obstacle, body);
+  const Contacts::Of near = graph.contacts(obstacle);
   const bool is_forwards = arc.side > 0.0;
   const std::uint32_t step = is_forwards ? 1 : body.count - 1;
   // Behind on the same corner: all the way round.
