@@ -1,6 +1,7 @@
 #include "planning/obstacle_boxes.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 
 // A function of which the program holds a second version for processors with wider registers. Both do the same
@@ -140,7 +141,7 @@ REGISTA_WIDE void ObstacleBoxes::group_hits(const Block* blocks, std::uint32_t g
   static_assert(kGroupSize == 2 * kLanes);
   GroupHits* out = hits.data();
   for (; groups != 0; groups &= groups - 1) {
-    const Block* const pair = blocks + 2 * std::countr_zero(groups);
+    const Block* const pair = blocks + std::ptrdiff_t{2} * std::countr_zero(groups);
     *out++ = static_cast<GroupHits>(
         joined((near_bits(pair[0], sweep) & kFirstBits) | (near_bits(pair[1], sweep) & (kFirstBits << kLanes))));
   }
