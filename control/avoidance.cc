@@ -22,26 +22,28 @@ SafetyMode safety_mode(const std::string& name) {
 
 const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                            std::span<const Opponent> opponents, const Surroundings& around,
-                                           const ControlParams& params, double period_s) {
+                                           const ControlParams& params, const TickTimes& times) {
   const SafetyMode mode = safety_mode(params.safety.mode);
   chosen_.clear();
   if (mode == SafetyMode::team) {
-    keep_out_of_the_way(team, arrivals_s, opponents, params);
-    search_.choose(team, opponents, around, params.limits, params.safety, period_s, chosen_);
+    keep_out_of_the_way(team, arrivals_s, opponents, params, times.delay_s);
+    search_.choose(team, opponents, around, params.limits, params.safety, times.period_s, chosen_);
     return chosen_;
   }
   for (std::size_t i = 0; i < team.size(); ++i) {
     // Where no search holds a wish down, the limit must.
     chosen_.push_back(mode == SafetyMode::none
                           ? clamped_norm(team[i].wanted_mps, team[i].speed_max_mps)
-                          : published_choice(team, i, opponents, params.limits, params.safety, period_s));
+                          : published_choice(team, i, opponents, params.limits, params.safety, times.period_s));
   }
   return chosen_;
 }
 
 void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
-                                    std::span<const Opponent> opponents, const ControlParams& params) {
-  const double horizon_s = std::max(params.velocity_choice.horizon_s, params.velocity_choice.foul_horizon_s);
+                                    std::span<const Opponent> opponents, const ControlParams& params, double delay_s) {
+  VelocityChoiceParams choice = params.velocity_choice;
+  choice.foul_horizon_s += choice.foul_horizon_per_delay * delay_s;
+  const double horizon_s = std::max(choice.horizon_s, choice.foul_horizon_s);
   if (horizon_s <= 0.0) return;
   const double bodies_m = 2.0 * params.limits.radius_m;
   const double reach_m = 2.0 * params.limits.speed_max_mps * horizon_s + bodies_m;
@@ -66,8 +68,8 @@ void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const
       neighbours_.push_back({opponent.position_m, opponent.velocity_mps, opponent.acceleration_mps2,
                              bodies_m + params.safety.opponent_margin_m, true});
     }
-    team[i].wanted_mps = choose_velocity(team[i], arrivals_s[i], neighbours_, params.velocity_choice,
-                                         params.safety.acceleration_lasts_s);
+    team[i].wanted_mps =
+        choose_velocity(team[i], arrivals_s[i], neighbours_, choice, params.safety.acceleration_lasts_s);
   }
 }
 

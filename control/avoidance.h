@@ -16,17 +16,23 @@ namespace regista {
 enum class SafetyMode { none, published, team };
 SafetyMode safety_mode(const std::string& name);
 
+/// Of a tick, seconds.
+struct TickTimes {
+  double period_s = 0.0;  ///< > 0, until the next one
+  double delay_s = 0.0;   ///< >= 0, how old what is known of opponents is when commands act
+};
+
 class Avoidance {
  public:
-  /// Velocities after period_s, one per robot; those of mode none are the wanted ones and need not be reachable.
+  /// Velocities a period later, one per robot; those of mode none are the wanted ones and need not be reachable.
   /// `arrivals_s`: when each robot would stand at its goal. Valid until the next call.
   const std::vector<Vec2>& choose(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                   std::span<const Opponent> opponents, const Surroundings& around,
-                                  const ControlParams& params, double period_s);
+                                  const ControlParams& params, const TickTimes& times);
 
  private:
   void keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
-                           std::span<const Opponent> opponents, const ControlParams& params);
+                           std::span<const Opponent> opponents, const ControlParams& params, double delay_s);
 
   SafetySearch search_;
   std::vector<Neighbour> neighbours_;

@@ -103,20 +103,6 @@ Controller::Intent Controller::intent_of(const RobotState& robot, const RobotPla
   return intent;
 }
 
-std::vector<Opponent> Controller::opponents_in(const WorldState& world, double dt_s) {
-  const Team other = opponent_of(team_);
-  accelerations_.update(world, other, dt_s, params_.acceleration_filter_s,
-                        std::max(params_.limits.acceleration_max_mps2, params_.limits.braking_max_mps2));
-  std::vector<Opponent> opponents;
-  for (const RobotState& robot : world.robots) {
-    if (robot.id.team != other) continue;
-    // Ours are where their lag will have carried them; theirs are looked at as of the same moment.
-    opponents.push_back(
-        {after_lag(robot, params_.drive_lag_s).position_m, robot.twist.velocity_mps, accelerations_.of(robot.id)});
-  }
-  return opponents;
-}
-
 void Controller::be_careful(std::span<SafetyRobot> robots, std::span<const Opponent> opponents) const {
   if (safety_mode(params_.safety.mode) != SafetyMode::team) return;
   const double contact_m = 2.0 * params_.limits.radius_m + params_.safety.opponent_margin_m;
@@ -145,10 +131,12 @@ TeamCommands Controller::update(const WorldState& world, std::span<const RobotPl
     robots.push_back(intents.back().robot);
     arrivals_s.push_back(intents.back().arrival_s);
   }
-  const std::vector<Opponent> opponents = opponents_in(world, period_s);
+  const std::span<const Opponent> opponents = opponents_.update(world, opponent_of(team_), params_, period_s);
   rough_play_.update(world, team_, period_s, params_.limits.radius_m, params_.rough_play);
   if (rough_play_.is_rough(params_.rough_play)) be_careful(robots, opponents);
-  const std::vector<Vec2>& chosen_mps = avoidance_.choose(robots, arrivals_s, opponents, around, params_, period_s);
+  const std::vector<Vec2>& chosen_mps =
+      avoidance_.choose(robots, arrivals_s, opponents, around, params_,
+                        {.period_s = period_s, .delay_s = planning_delay_s(world, params_.drive_lag_s)});
 
   TeamCommands out = begin(&world);
   last_.clear();

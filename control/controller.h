@@ -7,9 +7,9 @@
 #include <map>
 #include <span>
 
-#include "control/acceleration_estimate.h"
 #include "control/avoidance.h"
 #include "control/control_params.h"
+#include "control/present_opponents.h"
 #include "control/team_wheels.h"
 #include "control/velocity_command.h"
 #include "planning/plan.h"
@@ -59,7 +59,6 @@ class Controller {
   Intent intent_of(const RobotState& robot, const RobotPlan* plan, double dt_s) const;
   /// Takes away wanted speed towards opponents (careful_approach.h).
   void be_careful(std::span<SafetyRobot> robots, std::span<const Opponent> opponents) const;
-  std::vector<Opponent> opponents_in(const WorldState& world, double dt_s);
   RobotCommand command(std::uint16_t robot, Told& told, const Twist& wanted, double dt_s) const;
   TeamCommands begin(const WorldState* world);
 
@@ -67,7 +66,7 @@ class Controller {
   ControlParams params_;
   TeamWheels wheels_;
   std::uint64_t sequence_ = 0;
-  AccelerationEstimate accelerations_;
+  PresentOpponents opponents_;
   RoughPlay rough_play_;
   Avoidance avoidance_;
   std::map<std::uint16_t, Told> last_;  ///< by robot number

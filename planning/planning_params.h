@@ -31,6 +31,11 @@ struct PlanningParams {
   /// Twice what robots accelerate with: where others are met, a turn is mostly not over yet. 0, to turn at once, drives
   /// half a percent fewer targets.
   double prediction_turn_mps2 = 6.0;
+  /// Opponents shrink in the plan with the way they go until they are met: from here on, and are gone after so much
+  /// more. Where they will be then nobody knows, and to go around it costs 1 % of the targets. fade_over 0: they do
+  /// not.
+  double opponent_fade_from_m = 0.6;
+  double opponent_fade_over_m = 2.0;
   double growth_radius_max_m = 0.0;        ///< robots far from the goal grow up to this radius; 0: they do not
   double growth = 0.05;                    ///< metres of radius per metre farther away, as in DvgParams
   double growth_unchanged_within_m = 1.0;  ///< no growth this near to the goal (d4 of figure 25)
@@ -70,6 +75,10 @@ struct PlanningParams {
       "at which a robot is expected to drive to its goal, for the nearest approach");
     v("prediction_turn_mps2", self.prediction_turn_mps2, Range{0.0, 1000.0}, "m/s^2",
       "by which it gets there from the velocity it has; 0: at once");
+    v("opponent_fade_from_m", self.opponent_fade_from_m, Range{0.0, 100.0}, "m",
+      "opponents shrink with their way until the nearest approach, from this on");
+    v("opponent_fade_over_m", self.opponent_fade_over_m, Range{0.0, 100.0}, "m",
+      "and are gone after so much more of it; 0: they do not shrink");
     v("growth_radius_max_m", self.growth_radius_max_m, Range{0.0, 10.0}, "m",
       "robots grow with their distance from the goal, up to this radius (own body and margin included); 0: not");
     v("growth", self.growth, Range{0.0, 1.0}, "", "radius gained per distance from the goal");

@@ -12,6 +12,30 @@ double uncovering_radius(const Obstacle& obstacle, const Vec2& point) {
   return std::max(0.0, obstacle.radius_m + std::min(0.0, clearance(point, obstacle)));
 }
 
+/// An opponent slower than this stands, and stays where it is.
+constexpr double kStands_mps = 0.1;
+
+/// How much of an opponent's radius is left, and until when that is to be known.
+class Fading {
+ public:
+  Fading(double speed_mps, const Prediction& prediction)
+      : speed_mps_(speed_mps),
+        prediction_(prediction),
+        fades_(prediction.fade_over_m > 0.0 && speed_mps > kStands_mps) {}
+
+  double gone_s() const { return fades_ ? (prediction_.fade_from_m + prediction_.fade_over_m) / speed_mps_ : 0.0; }
+  double share_at(double time_s) const {
+    if (!fades_) return 1.0;
+    const double beyond_m = speed_mps_ * time_s - prediction_.fade_from_m;
+    return 1.0 - std::clamp(beyond_m / prediction_.fade_over_m, 0.0, 1.0);
+  }
+
+ private:
+  double speed_mps_;
+  const Prediction& prediction_;
+  bool fades_;
+};
+
 }  // namespace
 
 double nearest_approach_s(const Course& a, const Course& b, double horizon_s) {
@@ -64,11 +88,15 @@ void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::
     const RobotState& other = world.robots[i];
     if (other.id == self.id) continue;
     const bool goal_was_covered = clearance(goal, out[i]) < 0.0;
-    const double ahead_s = other.id.team == self.id.team ? prediction.team_horizon_s : prediction.horizon_s;
+    const bool is_mate = other.id.team == self.id.team;
+    const double ahead_s = is_mate ? prediction.team_horizon_s : prediction.horizon_s;
     const Course theirs{other.pose.position_m, other.twist.velocity_mps, arrivals_s[i]};
-    const Vec2 ahead = theirs.at(nearest_approach_s(ours, theirs, ahead_s)) - theirs.from_m;
+    const Fading fading(is_mate ? 0.0 : theirs.velocity_mps.norm(), prediction);
+    const double met_s = nearest_approach_s(ours, theirs, std::max(ahead_s, fading.gone_s()));
+    const Vec2 ahead = theirs.at(std::min(met_s, ahead_s)) - theirs.from_m;
     out[i].a += ahead;
     out[i].b += ahead;
+    out[i].radius_m *= fading.share_at(met_s);
     out[i].radius_m = uncovering_radius(out[i], self.pose.position_m);
     if (!goal_was_covered) out[i].radius_m = uncovering_radius(out[i], goal);
   }

@@ -1,6 +1,8 @@
 // Other robots where they will be when they matter: at the moment of nearest approach to the robot that plans. A robot
 // that crosses in front is gone by then, and two that come towards each other both see where they will meet.
 //
+// Where an opponent is after a long way is anyone's guess: it matters the less, the longer its way until then.
+//
 // Team-mates stop at their goals. That they drive there straight is not expected: in which direction they go around
 // others shows in their velocities, and to see that is what makes a crowd turn one way.
 #pragma once
@@ -32,6 +34,8 @@ struct Prediction {
   double team_horizon_s = 0.0;  ///< of team-mates
   double speed_mps = 0.0;       ///< at which the robot itself is expected to drive straight to its goal, and stop there
   double turn_mps2 = 0.0;       ///< by which it gets from its present velocity to that one; 0: at once
+  double fade_from_m = 0.0;     ///< opponents shrink from this length of their way until the nearest approach on
+  double fade_over_m = 0.0;     ///< and are gone after so much more of it; 0: they do not shrink
   bool operator==(const Prediction&) const = default;
 };
 
@@ -44,9 +48,9 @@ double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps);
 
 /// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i, which
 /// stands from arrivals_s[i] on (one per robot, infinite where no goal is known), and is moved along its velocity to
-/// the nearest approach, at most so far ahead as the prediction reaches; then it shrinks as far as it would cover the
-/// start, or the goal without having covered it unmoved. Values are finite but for arrivals, all numbers of the
-/// prediction >= 0.
+/// the nearest approach, at most so far ahead as the prediction reaches; an opponent's shrinks with the way it goes
+/// until then, and each as far as it would cover the start, or the goal without having covered it unmoved. Values are
+/// finite but for arrivals, all numbers of the prediction >= 0.
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::span<const double> arrivals_s,
              const RobotState& self, const Vec2& goal, const Prediction& prediction, std::vector<Obstacle>& out);
 

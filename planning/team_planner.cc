@@ -169,7 +169,9 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
           {.horizon_s = params_.prediction_horizon_s,
            .team_horizon_s = params_.team_prediction_horizon_s,
            .speed_mps = std::min(params_.prediction_speed_mps, speed_max_mps),
-           .turn_mps2 = params_.prediction_turn_mps2},
+           .turn_mps2 = params_.prediction_turn_mps2,
+           .fade_from_m = params_.opponent_fade_from_m,
+           .fade_over_m = params_.opponent_fade_over_m},
           predicted_);
   graph::SharedGraph& own = own_graph();
   own.reset(graph_.field().bounds(), predicted_);
