@@ -42,7 +42,7 @@ const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::spa
 void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                     std::span<const Opponent> opponents, const ControlParams& params, double delay_s) {
   VelocityChoiceParams choice = params.velocity_choice;
-  choice.foul_horizon_s += choice.foul_horizon_per_delay * delay_s;
+  if (choice.foul_horizon_s > 0.0) choice.foul_horizon_s += choice.foul_horizon_per_delay * delay_s;
   const double horizon_s = std::max(choice.horizon_s, choice.foul_horizon_s);
   if (horizon_s <= 0.0) return;
   const double bodies_m = 2.0 * params.limits.radius_m;

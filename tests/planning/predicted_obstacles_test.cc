@@ -2,6 +2,7 @@
 // untouched.
 #include "planning/predicted_obstacles.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <limits>
 
@@ -78,6 +79,53 @@ TEST_CASE("a robot drives straight to its goal, from where its turn carries it")
   const Course carried = own_course(robot, {4.0, 0.0}, turning);
   CHECK(carried.from_m == Vec2(0.0, 0.5));
   CHECK((carried.at(carried.lasts_s) - Vec2(4.0, 0.0)).norm() <= 1e-12);
+}
+
+TEST_CASE("opponents shrink with the way they go until they are met; mates and what stands do not") {
+  std::mt19937_64 random(93);
+  std::array<int, 3> seen{};  // whole, smaller, gone
+  for (int i = 0; i < 2000; ++i) {
+    WorldState world;
+    std::vector<Obstacle> obstacles;
+    for (std::uint16_t k = 0; k < 3; ++k) {
+      world.robots.push_back(random_robot(random, k));
+      obstacles.push_back(disc(world.robots.back().pose.position_m, 0.2));
+    }
+    RobotState& opponent = world.robots[2];
+    opponent.id.team = Team::blue;
+    if (i % 7 == 0) opponent.twist.velocity_mps *= 0.01;
+    const RobotState& self = world.robots[0];
+    const Vec2 goal = any(random, 6.0);
+    const std::vector<double> arrivals_s(3, kForEver_s);
+    Prediction prediction{.horizon_s = uniform(random, 0.0, 1.0), .team_horizon_s = 1.0, .speed_mps = kSpeed_mps};
+    std::vector<Obstacle> whole;
+    predict(obstacles, world, arrivals_s, self, goal, prediction, whole);
+    prediction.fade_from_m = uniform(random, 0.0, 1.0);
+    prediction.fade_over_m = uniform(random, 0.1, 3.0);
+    std::vector<Obstacle> faded;
+    predict(obstacles, world, arrivals_s, self, goal, prediction, faded);
+    INFO("world " << i << " of seed 93");
+    CHECK(faded[0] == whole[0]);
+    CHECK(faded[1] == whole[1]);
+    if (i % 7 == 0) {
+      CHECK(faded[2] == whole[2]);
+      continue;
+    }
+    const double speed_mps = opponent.twist.velocity_mps.norm();
+    const double gone_m = prediction.fade_from_m + prediction.fade_over_m;
+    const Course theirs{opponent.pose.position_m, opponent.twist.velocity_mps, kForEver_s};
+    const double met_s = nearest_approach_s(own_course(self, goal, prediction), theirs,
+                                            std::max(prediction.horizon_s, gone_m / speed_mps));
+    CHECK((faded[2].a - theirs.at(std::min(met_s, prediction.horizon_s))).norm() <= 1e-12);
+    const double way_m = speed_mps * met_s;
+    // Start and goal may have made it smaller still.
+    const double left_m = 0.2 * std::clamp((gone_m - way_m) / prediction.fade_over_m, 0.0, 1.0);
+    CHECK(faded[2].radius_m <= left_m + 1e-12);
+    const bool is_free = std::min((faded[2].a - self.pose.position_m).norm(), (faded[2].a - goal).norm()) > 0.2;
+    if (is_free) CHECK(std::abs(faded[2].radius_m - left_m) <= 1e-12);
+    ++seen.at(way_m <= prediction.fade_from_m ? 0 : way_m < gone_m * (1.0 - 1e-9) ? 1 : 2);
+  }
+  for (const int count : seen) CHECK(count > 50);
 }
 
 TEST_CASE("others move to the approach and shrink off start and goal; oneself and what stands stay") {
