@@ -19,7 +19,7 @@ SafetyMode safety_mode(const std::string& name);
 /// Of a tick, seconds.
 struct TickTimes {
   double period_s = 0.0;  ///< > 0, until the next one
-  double delay_s = 0.0;   ///< >= 0, how old what is known of opponents is when commands act
+  double delay_s = 0.0;   ///< >= 0, planning_delay_s: how old what is known of opponents is by then
 };
 
 class Avoidance {

@@ -14,12 +14,14 @@ struct VelocityChoiceParams {
   double horizon_s = 0.7;  ///< contacts with team-mates later than this do not count; 0: none do
   double weight_m = 0.2;   ///< what one more 1/s of 1/(time to contact) costs, m/s per 1/s
   /// The same for crashes with opponents that would be our foul; to keep out of their way otherwise is left to the
-  /// safety search, which does it later and so gives less away. Rather near and weighty than far and light: 0.7 s with
-  /// 1 m drives 1 % fewer targets, with as many fouls. Both horizons 0: wanted velocities are taken as they are.
+  /// safety search, which does it later and so gives less away. Rather near and weighty than far and light: without
+  /// delays 0.7 s with 1 m drives half a percent fewer targets, with as many fouls. Both horizons 0: wanted velocities
+  /// are taken as they are.
   double foul_horizon_s = 0.5;
   double foul_weight_m = 3.0;
-  /// What is seen late has to be dodged earlier: by so much longer is the horizon of fouls, per second of delay. With
-  /// the 60 ms of preset noisy it takes a third of the collisions with seven crossing obstacles away.
+  /// What is seen late has to be dodged earlier: by so much longer is the horizon of fouls, per second of delay, the
+  /// drive's lag included. With the 60 ms of preset noisy it takes a third of the collisions with seven crossing
+  /// obstacles away.
   double foul_horizon_per_delay = 8.0;
   bool operator==(const VelocityChoiceParams&) const = default;
 

@@ -12,7 +12,7 @@ double uncovering_radius(const Obstacle& obstacle, const Vec2& point) {
   return std::max(0.0, obstacle.radius_m + std::min(0.0, clearance(point, obstacle)));
 }
 
-/// An opponent slower than this stands, and stays where it is.
+/// An opponent slower than this stands, or creeps as the noise of vision makes it, and is no guess.
 constexpr double kStands_mps = 0.1;
 
 /// How much of an opponent's radius is left, and until when that is to be known.
@@ -92,7 +92,8 @@ void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::
     const double ahead_s = is_mate ? prediction.team_horizon_s : prediction.horizon_s;
     const Course theirs{other.pose.position_m, other.twist.velocity_mps, arrivals_s[i]};
     const Fading fading(is_mate ? 0.0 : theirs.velocity_mps.norm(), prediction);
-    const double met_s = nearest_approach_s(ours, theirs, std::max(ahead_s, fading.gone_s()));
+    const double known_s = std::max(ahead_s, std::min(fading.gone_s(), ours.lasts_s));
+    const double met_s = nearest_approach_s(ours, theirs, known_s);
     const Vec2 ahead = theirs.at(std::min(met_s, ahead_s)) - theirs.from_m;
     out[i].a += ahead;
     out[i].b += ahead;

@@ -49,8 +49,8 @@ double arrival_s(const RobotState& robot, const Vec2& goal, double least_mps);
 /// `out` becomes the obstacles as robot `self` meets them: obstacle i < world.robots.size() belongs to robot i, which
 /// stands from arrivals_s[i] on (one per robot, infinite where no goal is known), and is moved along its velocity to
 /// the nearest approach, at most so far ahead as the prediction reaches; an opponent's shrinks with the way it goes
-/// until then, and each as far as it would cover the start, or the goal without having covered it unmoved. Values are
-/// finite but for arrivals, all numbers of the prediction >= 0.
+/// until it is met (before `self` has arrived or within the horizon), and each as far as it would cover the start, or
+/// the goal without having covered it unmoved. Values are finite but for arrivals, all numbers of the prediction >= 0.
 void predict(std::span<const Obstacle> obstacles, const WorldState& world, std::span<const double> arrivals_s,
              const RobotState& self, const Vec2& goal, const Prediction& prediction, std::vector<Obstacle>& out);
 

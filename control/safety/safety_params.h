@@ -22,7 +22,7 @@ struct SafetyParams {
   /// braking = 17.5 ms at 100 Hz, rounded up: so who is clear of opponents' braking still is a period later. Where less
   /// than twice that is left, half of the rest is enough among those that do likewise; that gains 1 % of the pace.
   double opponent_reaction_s = 0.018;
-  double acceleration_lasts_s = 0.3;  ///< an opponent's acceleration is taken to last so long, or until it stands
+  double acceleration_lasts_s = 0.3;  ///< from when commands act on, or until it stands: opponents'
   /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share
   /// of the way it drives meanwhile. So what is planned for later still holds when later comes.
   double opponent_growth = 0.06;

@@ -22,31 +22,35 @@ TEST_CASE("an acceleration goes on until the delay is over or what it takes away
   for (int i = 0; i < 500; ++i) {
     const Vec2 place = any(random, 3.0);
     const Vec2 velocity = any(random, 2.0);
-    const Vec2 acceleration = any(random, 8.0);
+    const Vec2 acceleration = i % 3 == 0 ? Vec2(-uniform(random, 0.0, 8.0) * velocity.normalized()) : any(random, 8.0);
     const double delay_s = uniform(random, 0.0, 0.5);
-    const Opponent then = accelerated(place + delay_s * velocity, velocity, acceleration, delay_s);
-    constexpr int kSteps = 20000;
+    const double lasts_s = i % 2 == 0 ? delay_s : uniform(random, 0.0, delay_s);
+    const Opponent then = accelerated(place + delay_s * velocity, velocity, acceleration, delay_s, lasts_s);
+    constexpr int kSteps = 4000;
     const double step_s = delay_s / kSteps;
     Vec2 at = place;
     Vec2 moving = velocity;
-    bool lasts = true;
+    bool stands = false;
     for (int k = 0; k < kSteps; ++k) {
-      // It brakes while that still takes speed away along the way it went.
-      lasts = lasts && (acceleration.dot(velocity) >= 0.0 || moving.dot(velocity) > 0.0);
-      if (lasts) moving += step_s * acceleration;
-      at += step_s * moving;
+      // Who brakes does so until no speed is left along the way it went.
+      if (k * step_s < lasts_s && !stands) moving += step_s * acceleration;
+      stands = stands || (acceleration.dot(velocity) < 0.0 && moving.dot(velocity) <= 0.0);
+      if (!stands) at += step_s * moving;
     }
-    stopped += lasts ? 0 : 1;
+    if (stands) moving = Vec2::Zero();
+    stopped += stands ? 1 : 0;
     INFO("motion " << i << " of seed 61");
-    CHECK((then.position_m - at).norm() <= 1e-3);
-    CHECK((then.velocity_mps - moving).norm() <= 1e-3);
-    CHECK(then.acceleration_mps2 == acceleration);
+    CHECK((then.velocity_mps - moving).norm() <= 5e-3);
+    CHECK(then.acceleration_mps2 == (stands ? Vec2(Vec2::Zero()) : acceleration));
+    // A turn that also brakes is taken to end on the line it began on.
+    const bool is_straight = std::abs(acceleration.normalized().dot(velocity.normalized())) > 0.999;
+    if (!stands || is_straight) CHECK((then.position_m - at).norm() <= 5e-3);
   }
   CHECK(stopped > 50);
 }
 
 TEST_CASE("what goes straight and steady is where it coasts to, whatever the delay") {
-  const Opponent then = accelerated({1.0, 2.0}, {3.0, 0.0}, Vec2::Zero(), 0.3);
+  const Opponent then = accelerated({1.0, 2.0}, {3.0, 0.0}, Vec2::Zero(), 0.3, 0.3);
   CHECK(then.position_m == Vec2(1.0, 2.0));
   CHECK(then.velocity_mps == Vec2(3.0, 0.0));
 }
@@ -56,6 +60,8 @@ TEST_CASE("the delay reaches from capture to when commands act, and over our dri
   world.captured = Time{} + from_seconds(1.0);
   world.valid_at = Time{} + from_seconds(1.05);
   CHECK(planning_delay_s(world, 0.03) == Approx(0.08));
+  world.valid_at = Time{} + from_seconds(9.0);
+  CHECK(planning_delay_s(world, 0.03) == kLongestDelay_s);
   world.valid_at = Time{};  // of a state that nobody predicted
   CHECK(planning_delay_s(world, 0.03) == Approx(0.03));
 }

@@ -2,9 +2,11 @@
 // untouched.
 #include "planning/predicted_obstacles.h"
 
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <limits>
+#include <random>
 
 #include "planning/clearance.h"
 #include "planning/uniform.h"
@@ -114,8 +116,9 @@ TEST_CASE("opponents shrink with the way they go until they are met; mates and w
     const double speed_mps = opponent.twist.velocity_mps.norm();
     const double gone_m = prediction.fade_from_m + prediction.fade_over_m;
     const Course theirs{opponent.pose.position_m, opponent.twist.velocity_mps, kForEver_s};
-    const double met_s = nearest_approach_s(own_course(self, goal, prediction), theirs,
-                                            std::max(prediction.horizon_s, gone_m / speed_mps));
+    const Course ours = own_course(self, goal, prediction);
+    const double met_s =
+        nearest_approach_s(ours, theirs, std::max(prediction.horizon_s, std::min(gone_m / speed_mps, ours.lasts_s)));
     CHECK((faded[2].a - theirs.at(std::min(met_s, prediction.horizon_s))).norm() <= 1e-12);
     const double way_m = speed_mps * met_s;
     // Start and goal may have made it smaller still.
@@ -126,6 +129,22 @@ TEST_CASE("opponents shrink with the way they go until they are met; mates and w
     ++seen.at(way_m <= prediction.fade_from_m ? 0 : way_m < gone_m * (1.0 - 1e-9) ? 1 : 2);
   }
   for (const int count : seen) CHECK(count > 50);
+}
+
+TEST_CASE("an opponent in the way that creeps on is in the way, however near the goal it gets later") {
+  WorldState world;
+  world.robots.resize(2);
+  world.robots[0].id = {Team::yellow, 0};
+  world.robots[0].twist.velocity_mps = {kSpeed_mps, 0.0};
+  world.robots[1].id = {Team::blue, 1};
+  world.robots[1].pose.position_m = {3.0, 0.1};
+  world.robots[1].twist.velocity_mps = {0.12, 0.0};
+  const std::vector<Obstacle> obstacles{disc({0.0, 0.0}, 0.2), disc({3.0, 0.1}, 0.2)};
+  const Prediction prediction{
+      .horizon_s = 0.5, .speed_mps = kSpeed_mps, .turn_mps2 = 6.0, .fade_from_m = 0.6, .fade_over_m = 2.0};
+  std::vector<Obstacle> out;
+  predict(obstacles, world, std::vector<double>(2, kForEver_s), world.robots[0], {5.0, 0.0}, prediction, out);
+  CHECK(out[1].radius_m == 0.2);
 }
 
 TEST_CASE("others move to the approach and shrink off start and goal; oneself and what stands stay") {
