@@ -11,6 +11,9 @@ namespace {
 /// A change of velocity in no time is one within this.
 constexpr double kShortest_s = 1e-3;
 
+/// An opponent that stands is where it is seen, however late; from this speed on it drives.
+constexpr double kDrives_mps = 0.5;
+
 }  // namespace
 
 SafetyMode safety_mode(const std::string& name) {
@@ -41,9 +44,9 @@ const std::vector<Vec2>& Avoidance::choose(std::span<SafetyRobot> team, std::spa
 
 void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const double> arrivals_s,
                                     std::span<const Opponent> opponents, const ControlParams& params, double delay_s) {
-  VelocityChoiceParams choice = params.velocity_choice;
-  if (choice.foul_horizon_s > 0.0) choice.foul_horizon_s += choice.foul_horizon_per_delay * delay_s;
-  const double horizon_s = std::max(choice.horizon_s, choice.foul_horizon_s);
+  const VelocityChoiceParams& choice = params.velocity_choice;
+  const double late_s = choice.foul_horizon_s > 0.0 ? choice.foul_horizon_per_delay * delay_s : 0.0;
+  const double horizon_s = std::max(choice.horizon_s, choice.foul_horizon_s + late_s);
   if (horizon_s <= 0.0) return;
   const double bodies_m = 2.0 * params.limits.radius_m;
   const double reach_m = 2.0 * params.limits.speed_max_mps * horizon_s + bodies_m;
@@ -61,12 +64,13 @@ void Avoidance::keep_out_of_the_way(std::span<SafetyRobot> team, std::span<const
       neighbours_.push_back(
           {team[j].position_m, team[j].velocity_mps,
            clamped_norm(change_mps / std::max(params.safety.acceleration_lasts_s, kShortest_s), acceleration),
-           bodies_m + params.safety.team_margin_m, false});
+           bodies_m + params.safety.team_margin_m, false, 0.0});
     }
     for (const Opponent& opponent : opponents) {
       if (!is_near(opponent.position_m)) continue;
       neighbours_.push_back({opponent.position_m, opponent.velocity_mps, opponent.acceleration_mps2,
-                             bodies_m + params.safety.opponent_margin_m, true});
+                             bodies_m + params.safety.opponent_margin_m, true,
+                             late_s * std::min(1.0, opponent.velocity_mps.norm() / kDrives_mps)});
     }
     team[i].wanted_mps =
         choose_velocity(team[i], arrivals_s[i], neighbours_, choice, params.safety.acceleration_lasts_s);

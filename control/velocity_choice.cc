@@ -40,8 +40,11 @@ class Judge {
       if (contact_s >= until_s_) continue;
       if (!neighbour.is_opponent) {
         danger = std::max(danger, danger_of(contact_s, params_.weight_m, params_.horizon_s));
-      } else if (contact_s < params_.foul_horizon_s && is_our_foul(velocity_mps, neighbour, contact_s)) {
-        danger = std::max(danger, danger_of(contact_s, params_.foul_weight_m, params_.foul_horizon_s));
+      } else {
+        const double horizon_s = params_.foul_horizon_s + neighbour.late_s;
+        if (contact_s < horizon_s && is_our_foul(velocity_mps, neighbour, contact_s)) {
+          danger = std::max(danger, danger_of(contact_s, params_.foul_weight_m, horizon_s));
+        }
       }
       if (danger > bearable) break;
     }

@@ -19,9 +19,9 @@ struct VelocityChoiceParams {
   /// are taken as they are.
   double foul_horizon_s = 0.5;
   double foul_weight_m = 3.0;
-  /// What is seen late has to be dodged earlier: by so much longer is the horizon of fouls, per second of delay, the
-  /// drive's lag included. With the 60 ms of preset noisy it takes a third of the collisions with seven crossing
-  /// obstacles away.
+  /// What is seen late has to be dodged earlier: by so much longer is the horizon of fouls with those that drive, per
+  /// second of delay, the drive's lag included. With the 60 ms of preset noisy it takes a third of the collisions with
+  /// seven crossing obstacles away.
   double foul_horizon_per_delay = 8.0;
   bool operator==(const VelocityChoiceParams&) const = default;
 
@@ -32,7 +32,7 @@ struct VelocityChoiceParams {
     v("foul_horizon_s", self.foul_horizon_s, Range{0.0, 10.0}, "s",
       "the same for crashes with opponents that would be our foul");
     v("foul_horizon_per_delay", self.foul_horizon_per_delay, Range{0.0, 100.0}, "s/s",
-      "by so much per second of delay fouls are looked for further ahead");
+      "by so much per second of delay fouls with those that drive are looked for further ahead");
     v("foul_weight_m", self.foul_weight_m, Range{0.0, 100.0}, "m", "metres per second given up for 1/s of that");
   }
 };
@@ -44,6 +44,7 @@ struct Neighbour {
   Vec2 acceleration_mps2 = Vec2::Zero();
   double gap_m = 0.0;        ///< between centres
   bool is_opponent = false;  ///< a crash with it may be a foul
+  double late_s = 0.0;       ///< by so much further ahead than foul_horizon_s a foul with it counts, >= 0
 };
 
 /// Seconds until two discs with gap_m between centres touch when `from` holds `velocity_mps`; infinite for never. While
