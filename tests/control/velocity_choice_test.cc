@@ -109,6 +109,22 @@ TEST_CASE("more is given up for a crash that would be our foul than for one that
   }
 }
 
+TEST_CASE("a foul with one that is seen late counts from so much further ahead") {
+  SafetyRobot robot;
+  robot.velocity_mps = {2.0, 0.0};
+  robot.wanted_mps = {2.0, 0.0};
+  std::vector<Neighbour> other{{{0.21 + 0.8 * 3.0, 0.05}, {-1.0, 0.0}, Vec2::Zero(), 0.21, true}};  // 0.8 s before
+  VelocityChoiceParams params;
+  REQUIRE(params.foul_horizon_s < 0.8);
+  CHECK(choose_velocity(robot, kNever, other, params, 0.3) == robot.wanted_mps);
+  other[0].late_s = 0.5;
+  const Vec2 late = choose_velocity(robot, kNever, other, params, 0.3);
+  CHECK(late != robot.wanted_mps);
+  other[0].late_s = 0.0;
+  params.foul_horizon_s += 0.5;
+  CHECK(choose_velocity(robot, kNever, other, params, 0.3) == late);
+}
+
 TEST_CASE("a robot that sets out close beside another sets out, if not quite in the direction wished for") {
   SafetyRobot robot;
   robot.wanted_mps = {0.03, 0.004};  // one period's, a little towards the other
