@@ -4,6 +4,14 @@
 
 namespace regista {
 
+namespace {
+
+/// What an estimated acceleration is carried on for at most: later it is a guess, and with the delays of preset
+/// realistic a guess that makes the two teams dodge each other into contact.
+constexpr double kLongestChange_s = 0.06;
+
+}  // namespace
+
 double planning_delay_s(const WorldState& world, double drive_lag_s) {
   return std::min(std::max(0.0, to_seconds(world.valid_at - world.captured)) + drive_lag_s, kLongestDelay_s);
 }
@@ -25,7 +33,7 @@ std::span<const Opponent> PresentOpponents::update(const WorldState& world, Team
   accelerations_.update(world, theirs, dt_s, params.acceleration_filter_s,
                         std::max(params.limits.acceleration_max_mps2, params.limits.braking_max_mps2));
   const double delay_s = planning_delay_s(world, params.drive_lag_s);
-  const double lasts_s = std::min(delay_s, params.safety.acceleration_lasts_s);
+  const double lasts_s = std::min({delay_s, params.safety.acceleration_lasts_s, kLongestChange_s});
   opponents_.clear();
   for (const RobotState& robot : world.robots) {
     if (robot.id.team != theirs) continue;
