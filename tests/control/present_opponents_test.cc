@@ -80,15 +80,15 @@ TEST_CASE("an opponent that speeds up is seen faster than it was, one of ours is
     const double speed_mps = 2.0 * tick * 0.01;  // 2 m/s²
     way_m += 0.01 * speed_mps;
     world.captured = Time{} + from_seconds(0.01 * tick);
-    world.valid_at = world.captured + from_seconds(0.05);
+    world.valid_at = world.captured + from_seconds(0.03);
     world.robots[1].pose.position_m = {way_m, 0.0};
     world.robots[1].twist.velocity_mps = {speed_mps, 0.0};
     seen = opponents.update(world, Team::blue, params, 0.01);
   }
   REQUIRE(seen.size() == 1);
   CHECK(seen[0].acceleration_mps2.x() == Approx(2.0).margin(0.01));
-  CHECK(seen[0].velocity_mps.x() == Approx(1.98 + 2.0 * 0.08).margin(0.01));
-  CHECK(seen[0].position_m.x() == Approx(way_m + 0.03 * 1.98 + 2.0 * 0.08 * 0.08 / 2.0).margin(0.001));
+  CHECK(seen[0].velocity_mps.x() == Approx(1.98 + 2.0 * 0.06).margin(0.01));
+  CHECK(seen[0].position_m.x() == Approx(way_m + 0.03 * 1.98 + 2.0 * 0.06 * 0.06 / 2.0).margin(0.001));
 }
 
 }  // namespace regista
