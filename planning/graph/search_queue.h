@@ -1,4 +1,4 @@
-// What a tangent search looks at next, least estimate first: a few in no order, as most searches have them, more as a
+// What a search looks at next, least estimate first: a few in no order, as most searches have them, more as a
 // heap.
 #pragma once
 
@@ -6,6 +6,9 @@
 #include <vector>
 
 namespace regista::graph {
+
+/// Who finds a better estimate for what is queued queues it again, unless it is better by less. Metres.
+inline constexpr double kPutOff_m = 1e-9;
 
 class SearchQueue {
  public:

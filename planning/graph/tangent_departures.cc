@@ -18,9 +18,6 @@ constexpr double kDetour_m = 0.4;  // measured: from 0.05 to 0.4 the time falls 
 /// Short searches end before a better estimate has paid.
 constexpr int kLegsBeforeDetours = 3;
 
-/// A better estimate by less is not worth the queue's work. Metres.
-constexpr double kPutOff_m = 1e-9;
-
 /// Half of a disc's boundary, in order. Where nothing cuts the disc, who goes on farther has gone the longer way round.
 constexpr double kHalfRound = 2.0;
 
@@ -149,8 +146,8 @@ void TangentFront::add_leg(ArrivalIndex index, const Body& from, const Tangent& 
   // Half way round, the departures say it all.
   const bool is_cut = !is_start && arrival.reach < from.period && arrival.reach != kHalfRound;
   if (is_cut && ahead(from, arrival.order, order_of(from, tangent.from), side) > arrival.reach + kSamePlace) return;
-  if (!active_.are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along}, arrival.state / 2,
-                            state / 2, arrival.occluders))
+  if (!active_.blockers().are_clear_of(*field_, {tangent.from.point, tangent.to.point, tangent.along},
+                                       arrival.state / 2, state / 2, arrival.occluders))
     return;
   const double along_m = is_start ? 0.0 : travel_m(from, legs_[arrival.leg].to, tangent.from, side);
   const double cost = arrival.departure.cost_m + along_m + tangent.length_m;

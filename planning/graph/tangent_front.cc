@@ -114,7 +114,7 @@ bool TangentFront::is_open(SharedGraph& graph, const Leg& leg) {
   const State to = leg.state / 2;
   const ObstacleBoxes::Motion motion{leg.from.point, leg.to.point, leg.along};
   const bool is_news = leg.free_of < active_.size();
-  if (is_news && !active_.are_clear_of(field, motion, from, to, begin.occluders)) return false;
+  if (is_news && !active_.blockers().are_clear_of(field, motion, from, to, begin.occluders)) return false;
   // Most legs that fail have failed by now; the others show what else has to be gone round.
   blockers_.clear();
   corridor_.visit_candidates(field, motion, [&](ObstacleIndex i) {

@@ -3,6 +3,11 @@
 // blocks an edge that the search is about to use.
 #pragma once
 
+#include <limits>
+
+#include "planning/graph/blocker_set.h"
+#include "planning/graph/detours.h"
+#include "planning/graph/search_queue.h"
 #include "planning/graph/shared_graph.h"
 #include "planning/request.h"
 
@@ -29,23 +34,33 @@ class VisibilityFront {
   void trace(std::vector<Vec2>& path) const;
 
   /// Obstacles the search sampled, in the order in which it marked them.
-  std::span<const ObstacleIndex> marked() const { return marked_; }
+  std::span<const ObstacleIndex> marked() const { return marked_.list(); }
 
  private:
-  using Local = std::uint32_t;  ///< index into nodes_; 0 is the start, 1 the goal
+  using Local = std::uint32_t;  ///< index into nodes_
+
+  static constexpr Local kStart = 0;
+  static constexpr Local kGoal = 1;
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+  /// Edges whose way is longer wait outside of the queue: at first by that share and length more than the straight
+  /// line, later by that share more than what is needed.
+  static constexpr double kDetour = 1.15;
+  static constexpr double kDetour_m = 0.1;
 
   struct Node {
     Vec2 position;
     double cost;       ///< least known from the start
-    double heuristic;  ///< straight line to the goal
+    double to_goal_m;  ///< straight
+    double least_m;    ///< no way to the goal is shorter
     Local parent;
     NodeId shared;             ///< in the shared graph; of no meaning for start and goal
     ObstacleIndex covered_by;  ///< no node at all, but a reason to mark that obstacle; else kBounds
+    std::uint32_t bound_by;    ///< how many of the marked obstacles the least way takes into account
     bool is_expanded;
   };
   struct Edge {
-    double estimate;  ///< cost + heuristic at its end
-    double cost;      ///< from the start to its end
+    double cost;  ///< from the start to its end
     Local from;
     Local to;
     std::uint32_t free_of;  ///< how many of the marked obstacles it was tested against
@@ -58,10 +73,11 @@ class VisibilityFront {
   void queue_edges_to(std::size_t first_target);
   void drop_void_targets();
   bool widen();
-  bool is_void(const Node& node) const { return node.covered_by != kBounds && is_marked_[node.covered_by] != 0; }
-  bool next_edge(Edge& edge);
+  bool is_void(const Node& node) const { return node.covered_by != kBounds && marked_.contains(node.covered_by); }
+  bool is_free_of_marked(const ObstacleBoxes::Motion& motion, double length_m);
+  double least_to_goal_m(Node& node);
+  const Edge* next_edge();
   bool is_open(SharedGraph& graph, const Edge& edge);
-  bool is_free_of_marked(const Vec2& from, const Vec2& to);
   void mark(SharedGraph& graph, ObstacleIndex obstacle);
   void add_to_marked(ObstacleIndex obstacle);
   bool mark_rest(SharedGraph& graph);
@@ -72,19 +88,16 @@ class VisibilityFront {
   ObstacleIndex worth_marking(const Vec2& from, const Vec2& to, std::span<const ObstacleIndex> blockers) const;
   bool blocks_one(std::span<const ObstacleIndex> obstacles) const;
 
-  /// Heap order: the edge with the larger estimate comes later; ties go by node, so that the order is total.
-  static bool later(const Edge& a, const Edge& b);
-
   Query query_;  ///< of the search that runs
   const ObstacleField* field_ = nullptr;
   std::vector<Node> nodes_;
   std::vector<Local> targets_;  ///< nodes that edges may lead to
   std::vector<Local> expanded_;
-  std::vector<Edge> queue_;  ///< a heap, least estimate first
-  std::vector<ObstacleIndex> marked_;
-  ObstacleBoxes marked_boxes_;           ///< the same, for fast tests
-  std::vector<std::uint8_t> is_marked_;  ///< by obstacle
-  ObstacleIndex recent_ = kBounds;       ///< a marked obstacle that blocked something lately, or kBounds
+  std::vector<Edge> edges_;  ///< all that were queued
+  SearchQueue queue_;
+  BlockerSet marked_;
+  Detours detours_;                      ///< as many of the marked ones as were asked for
+  Occluders occluders_;                  ///< of edges that were looked at lately
   std::vector<ObstacleIndex> blockers_;  ///< scratch
   double limit_m_ = 0.0;                 ///< edges of a larger estimate wait outside of the queue
   double least_beyond_m_ = 0.0;          ///< the least estimate of these
