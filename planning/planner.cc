@@ -1,6 +1,7 @@
 #include "planning/planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace regista {
@@ -35,16 +36,14 @@ void check(const PlanRequest& request, std::size_t obstacles) {
 }
 
 /// What is wrong with a search's answer; empty when it keeps the laws. A path that did not get to the goal is held to
-/// the same laws but for its end.
-std::string fault(const ObstacleField& field, const Query& query, const SearchResult& result) {
+/// the same laws but for its end. Where one of its points is not finite, neither is its length.
+std::string fault(const ObstacleField& field, const Query& query, const SearchResult& result, double length_m) {
   const bool ok = result.status == PlanStatus::ok;
   if (!ok && result.path.empty()) return "";
   if (ok && result.path.size() < 2) return "has no leg";
   if (result.path.front() != query.start) return "does not begin at the start";
   if (ok && result.path.back() != query.goal) return "does not end at the goal";
-  for (const Vec2& point : result.path) {
-    if (!is_finite(point)) return "is not finite";
-  }
+  if (!std::isfinite(length_m)) return "is not finite";
   if (query.is_straight_free && result.path.size() == 2 && ok) return "";
   if (!result.is_known_free && !field.is_free(result.path, query.ignored))
     return "leads through an obstacle or out of bounds";
@@ -102,20 +101,24 @@ void Planner::plan(graph::SharedGraph& graph, const PlanRequest& request, Plan& 
   result_.path.clear();
   result_.reason.clear();
   result_.is_known_free = false;
+  double length_m = 0.0;
   if (query.start == query.goal) {
     result_.status = PlanStatus::ok;
     result_.path.push_back(query.start);
   } else {
     search(graph, query, result_);
-    if (const std::string wrong = fault(field, query, result_); !wrong.empty()) {
+    length_m = length_of(result_.path);
+    if (const std::string wrong = fault(field, query, result_, length_m); !wrong.empty()) {
       result_ = {PlanStatus::not_found, {}, "refused: the planner's path " + wrong};
+      length_m = 0.0;
     }
   }
   answer.status = result_.status;
   answer.reason = result_.reason;
-  if (answer.start_moved && !result_.path.empty()) answer.path.push_back(request.start);
+  const bool has_way_out = answer.start_moved && !result_.path.empty();
+  if (has_way_out) answer.path.push_back(request.start);
   answer.path.insert(answer.path.end(), result_.path.begin(), result_.path.end());
-  answer.length_m = length_of(answer.path);
+  answer.length_m = has_way_out ? length_of(answer.path) : length_m;
 }
 
 Plan Planner::plan(graph::SharedGraph& graph, const PlanRequest& request) {

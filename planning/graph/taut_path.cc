@@ -77,8 +77,8 @@ void append_corner(const SharedGraph& graph, std::span<const ObstacleIndex> brus
     return;
   }
   CornerArc corner_arc(centre, body.radius_m, arc.side, path);
-  const double angle_rad = turn(arc.from.normal, arc.to.normal, arc.side);
   Vec2 from = arc.from.normal;
+  const double angle_rad = brushes.empty() ? 0.0 : turn(arc.from.normal, arc.to.normal, arc.side);
   // Breaks are few: the next one is looked for among all.
   for (double from_rad = 0.0; !brushes.empty();) {
     double next_rad = angle_rad - kNoTurn_rad;
