@@ -23,12 +23,13 @@ double past_end_m(const Vec2& from, const Vec2& end, bool is_passed, const Vec2&
 void Detours::clear() {
   discs_.clear();
   gates_.clear();
-  size_ = disc_count_ = 0;
+  before_.clear();
+  disc_count_ = 0;
 }
 
 /// What touches is free: a gate ends that much earlier.
 void Detours::add(const Obstacle& obstacle, const Bounds& bounds) {
-  ++size_;
+  before_.push_back({disc_count_, static_cast<std::uint32_t>(gates_.size())});
   const double radius_m = obstacle.radius_m - kTouch_m -
                           kRounding * (obstacle.a.cwiseAbs().sum() + obstacle.b.cwiseAbs().sum() + obstacle.radius_m);
   const Vec2 middle = 0.5 * (obstacle.a + obstacle.b);
@@ -59,17 +60,18 @@ void Detours::add_gate(const Vec2& middle, const Vec2& half, double radius_m, co
   gates_.push_back({a, b, !meets_bounds || is_inside(a, bounds), !meets_bounds || is_inside(b, bounds)});
 }
 
-double Detours::least_m(const Vec2& from, const Vec2& to) const {
+double Detours::least_m(const Vec2& from, const Vec2& to, std::size_t first) const {
   const Vec2 way = to - from;
   const double length_m = way.norm();
-  if (length_m == 0.0) return 0.0;
+  if (length_m == 0.0 || first >= before_.size()) return length_m;
   const Vec2 along = way / length_m;
   const auto load = [](const std::array<double, kLanes>& column) {
     return Lanes(column.data(), std::experimental::element_aligned);
   };
   using std::experimental::sqrt;
   Lanes least = length_m;
-  for (const Discs& discs : discs_) {
+  for (std::size_t block = before_[first].discs / kLanes; block < discs_.size(); ++block) {
+    const Discs& discs = discs_[block];
     const Lanes x = load(discs.x) - from.x();
     const Lanes y = load(discs.y) - from.y();
     const Lanes before = along.x() * x + along.y() * y;
@@ -79,7 +81,8 @@ double Detours::least_m(const Vec2& from, const Vec2& to) const {
     where(aside > 0.0 && before > 0.0 && after > 0.0 && round > least, least) = round;
   }
   double least_m = std::experimental::hmax(least);
-  for (const Gate& gate : gates_) {
+  for (std::size_t i = before_[first].gates; i < gates_.size(); ++i) {
+    const Gate& gate = gates_[i];
     const Vec2 across = gate.b - gate.a;
     if ((cross(way, gate.a - from) < 0.0) == (cross(way, gate.b - from) < 0.0)) continue;
     const double from_beside = cross(across, from - gate.a);

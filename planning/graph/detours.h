@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <experimental/simd>
 #include <vector>
 
@@ -20,10 +21,11 @@ class Detours {
   /// One more that has to be gone round. A gate's end that lies out of bounds cannot be passed.
   void add(const Obstacle& obstacle, const Bounds& bounds);
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return before_.size(); }
 
-  /// No free way from one free point to the other is shorter. Metres; infinite where there is none.
-  double least_m(const Vec2& from, const Vec2& to) const;
+  /// No free way from one free point to the other is shorter. Metres; infinite where there is none. Asks those added as
+  /// number `first` (from 0) and later, and perhaps some before.
+  double least_m(const Vec2& from, const Vec2& to, std::size_t first = 0) const;
 
  private:
   using Lanes = std::experimental::native_simd<double>;
@@ -39,10 +41,15 @@ class Detours {
 
   void add_gate(const Vec2& middle, const Vec2& half, double radius_m, const Bounds& bounds);
 
+  /// How many there were before an obstacle was added.
+  struct Before {
+    std::uint32_t discs, gates;
+  };
+
   std::vector<Discs> discs_;
   std::vector<Gate> gates_;
-  std::size_t size_ = 0;
-  std::size_t disc_count_ = 0;
+  std::vector<Before> before_;  ///< by obstacle
+  std::uint32_t disc_count_ = 0;
 };
 
 }  // namespace regista::graph

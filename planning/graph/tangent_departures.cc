@@ -66,20 +66,20 @@ bool TangentFront::expand(SharedGraph& graph, LegIndex index) {
   return true;
 }
 
-/// No way that goes on from there is shorter.
-double TangentFront::least_to_goal_m(const Vec2& from) {
-  if (legs_tested_ < kLegsBeforeDetours) return (query_.goal - from).norm();
+/// No way that goes on from there is shorter, as far as those active obstacles show that are not among the first few.
+double TangentFront::least_to_goal_m(const Vec2& from, std::uint32_t few) {
   for (std::size_t slot = detours_.size(); slot < active_.size(); ++slot) {
     detours_.add(field_->obstacles()[active_.list()[slot]], field_->bounds());
   }
-  return detours_.least_m(from, query_.goal);
+  return detours_.least_m(from, query_.goal, few);
 }
 
 /// What has become active since the leg was made shows that it leads to longer ways: it goes back into the queue.
 bool TangentFront::is_put_off(const SearchQueue::Entry& entry) {
-  const Leg& leg = legs_[entry.index];
-  if (leg.state == kGoalState || leg.free_of == active_.size()) return false;
-  const double estimate_m = leg.cost + least_to_goal_m(leg.to.point);
+  Leg& leg = legs_[entry.index];
+  if (leg.state == kGoalState || leg.bound_by == active_.size() || legs_tested_ < kLegsBeforeDetours) return false;
+  const double estimate_m = leg.cost + least_to_goal_m(leg.to.point, leg.bound_by);
+  leg.bound_by = static_cast<std::uint32_t>(active_.size());
   if (estimate_m <= entry.estimate_m + kPutOff_m) return false;
   queue_.push({estimate_m, entry.index, false});
   return true;
@@ -151,10 +151,15 @@ void TangentFront::add_leg(ArrivalIndex index, const Body& from, const Tangent& 
     return;
   const double along_m = is_start ? 0.0 : travel_m(from, legs_[arrival.leg].to, tangent.from, side);
   const double cost = arrival.departure.cost_m + along_m + tangent.length_m;
-  const double estimate_m = cost + (state == kGoalState ? 0.0 : least_to_goal_m(tangent.to.point));
+  const auto known = static_cast<std::uint32_t>(active_.size());
+  const bool is_early = legs_tested_ < kLegsBeforeDetours;
+  double estimate_m = cost;
+  if (state != kGoalState) {
+    const Vec2& from_there = tangent.to.point;
+    estimate_m += is_early ? (query_.goal - from_there).norm() : least_to_goal_m(from_there, 0);
+  }
   queue_.push({estimate_m, static_cast<LegIndex>(legs_.size()), false});
-  legs_.push_back(
-      {tangent.from, tangent.to, tangent.along, cost, index, state, static_cast<std::uint32_t>(active_.size())});
+  legs_.push_back({tangent.from, tangent.to, tangent.along, cost, index, state, known, is_early ? 0 : known});
 }
 
 }  // namespace regista::graph

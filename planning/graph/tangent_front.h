@@ -64,11 +64,12 @@ class TangentFront {
 
   struct Leg {
     Place from, to;
-    Vec2 along = Vec2::Zero();  ///< unit
-    double cost = 0.0;          ///< length from the start to the leg's end
-    ArrivalIndex parent = 0;    ///< where it begins
-    State state = 0;            ///< where it arrives
-    std::uint32_t free_of = 0;  ///< how many of the active obstacles it was tested against
+    Vec2 along = Vec2::Zero();   ///< unit
+    double cost = 0.0;           ///< length from the start to the leg's end
+    ArrivalIndex parent = 0;     ///< where it begins
+    State state = 0;             ///< where it arrives
+    std::uint32_t free_of = 0;   ///< how many of the active obstacles it was tested against
+    std::uint32_t bound_by = 0;  ///< how many of them its estimate takes into account
   };
   /// The end of a free leg, where ways go on.
   struct Arrival {
@@ -91,7 +92,7 @@ class TangentFront {
   void depart_to_slot(ArrivalIndex arrival, State slot);
   void depart(ArrivalIndex arrival, const Body& to, double to_side, State state);
   void add_leg(ArrivalIndex arrival, const Body& from, const Tangent& tangent, State state);
-  double least_to_goal_m(const Vec2& from);
+  double least_to_goal_m(const Vec2& from, std::uint32_t few);
   bool is_put_off(const SearchQueue::Entry& leg);
   bool is_open(SharedGraph& graph, const Leg& leg);
   void pend_deepest(const ObstacleField& field, const Vec2& from, const Vec2& to,

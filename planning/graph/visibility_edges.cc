@@ -59,10 +59,10 @@ double VisibilityFront::least_to_goal_m(Node& node) {
   for (std::size_t slot = detours_.size(); slot < marked_.size(); ++slot) {
     detours_.add(field_->obstacles()[marked_.list()[slot]], field_->bounds());
   }
+  const double least_m = detours_.least_m(node.position, query_.goal, node.bound_by);
   node.bound_by = static_cast<std::uint32_t>(marked_.size());
   // Where no way leads on, the nearest place is looked for all the same.
-  const double least_m = detours_.least_m(node.position, query_.goal);
-  if (least_m < kInfinity) node.least_m = least_m;
+  if (least_m < kInfinity) node.least_m = std::max(node.least_m, least_m);
   return node.least_m;
 }
 
