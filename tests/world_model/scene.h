@@ -37,4 +37,12 @@ inline Pose moved(const Pose& start, const Twist& twist, double t_s) {
   return {start.position_m + twist.velocity_mps * t_s, wrap_angle(start.heading_rad + twist.angular_radps * t_s)};
 }
 
+/// Frames every 10 ms from first_ms to last_ms with one robot in constant motion.
+inline void feed(WorldModel& world, RobotId id, const Pose& start, const Twist& twist, int first_ms, int last_ms) {
+  for (int ms = first_ms; ms <= last_ms; ms += 10) {
+    world.add_frame(
+        frame(at_ms(ms), static_cast<std::uint32_t>(ms / 10), {{id, moved(start, twist, 0.001 * ms), 1.0}}));
+  }
+}
+
 }  // namespace regista::test
