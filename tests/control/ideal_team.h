@@ -47,6 +47,17 @@ inline RobotPlan plan_along(std::uint16_t number, std::vector<Vec2> path, double
   return plan;
 }
 
+/// Yellow robots anywhere, at up to that speed.
+inline WorldState random_world(Dice& dice, int robots, double speed_max) {
+  WorldState world;
+  for (int i = 0; i < robots; ++i) {
+    const Twist twist{dice.direction() * dice.uniform(0.0, speed_max), dice.uniform(-speed_max, speed_max)};
+    world.robots.push_back(
+        robot_at(static_cast<std::uint16_t>(i), dice.point(6.0, 4.5), dice.uniform(-3.1, 3.1), twist));
+  }
+  return world;
+}
+
 /// The command in the field frame, as the mean of the period it is held for.
 inline Twist field_twist(const RobotCommand& command, double heading_rad, double dt_s) {
   return to_field(command.velocity, heading_rad + command.velocity.angular_radps * dt_s / 2.0);
