@@ -1,11 +1,11 @@
 #include "planning/team_planner.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
 
+#include "planning/arrivals.h"
 #include "planning/clearance.h"
 #include "planning/game_rules.h"
 #include "planning/obstacle_growth.h"
@@ -42,23 +42,6 @@ Plan halted() {
 
 bool predicts(const PlanningParams& params) {
   return params.prediction_horizon_s > 0.0 || params.team_prediction_horizon_s > 0.0;
-}
-
-/// A robot on its way that is slower than this is about to be faster: it sets out or turns.
-constexpr double kLeastOnWay_mps = 1.5;
-
-/// When each robot of the world will stand at its target; infinite for those without.
-void find_arrivals(const WorldState& world, const Targets& targets, double speed_max_mps,
-                   std::vector<double>& arrivals_s) {
-  arrivals_s.assign(world.robots.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < world.robots.size(); ++i) {
-    const RobotState& robot = world.robots[i];
-    if (robot.id.team != targets.team) continue;
-    const auto target = std::ranges::find(targets.targets, robot.id.number, &Target::robot);
-    if (target == targets.targets.end() || !is_finite(target->pose.position_m)) continue;
-    const double least_mps = std::min({kLeastOnWay_mps, target->speed_max_mps, speed_max_mps});
-    if (least_mps > 0.0) arrivals_s[i] = arrival_s(robot, target->pose.position_m, least_mps);
-  }
 }
 
 /// The picture of one graph keeps within 2000 edges, so that it fits a datagram; so does that of several.
