@@ -13,6 +13,24 @@ std::vector<Vec2> pruned(const ObstacleField& field, std::span<const Vec2> path,
   return out;
 }
 
+std::vector<Vec2> thinned(const ObstacleField& field, std::span<const Vec2> path, std::span<const std::size_t> ignored,
+                          double tolerance_m) {
+  std::vector<Vec2> out{path.front()};
+  for (std::size_t at = 0; at + 1 < path.size();) {
+    std::size_t next = at + 1;
+    const auto is_straight = [&](std::size_t to) {
+      for (std::size_t i = at + 1; i < to; ++i) {
+        if ((nearest_on_segment(path[i], path[at], path[to]) - path[i]).norm() > tolerance_m) return false;
+      }
+      return field.is_free(path[at], path[to], ignored);
+    };
+    while (next + 1 < path.size() && is_straight(next + 1)) ++next;
+    out.push_back(path[next]);
+    at = next;
+  }
+  return out;
+}
+
 std::optional<std::vector<Vec2>> kept_path(const ObstacleField& field, const Query& query, double goal_drift_max_m) {
   const std::span<const Vec2> previous = query.previous_path;
   if (previous.size() < 2 || (previous.back() - query.goal).norm() >= goal_drift_max_m) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "planning/planners/apf_force.h"
 #include "planning/planners/apf_wall.h"
+#include "planning/polyline.h"
 
 namespace regista {
 namespace {
@@ -33,8 +34,8 @@ class Drive {
     return end_;
   }
 
-  /// The points driven through, those on straight legs left out.
-  std::vector<Vec2> polyline() const;
+  /// The points driven through.
+  const std::vector<Vec2>& path() const { return path_; }
 
  private:
   bool is_free(const Vec2& from, const Vec2& to) const { return field_.is_free(from, to, query_.ignored); }
@@ -135,29 +136,12 @@ void Drive::follow_wall() {
   path_.insert(path_.end(), taken.path().begin(), taken.path().end());
 }
 
-std::vector<Vec2> Drive::polyline() const {
-  std::vector<Vec2> out{path_.front()};
-  for (std::size_t at = 0; at + 1 < path_.size();) {
-    std::size_t next = at + 1;
-    const auto is_straight = [&](std::size_t to) {
-      for (std::size_t i = at + 1; i < to; ++i) {
-        if ((nearest_on_segment(path_[i], path_[at], path_[to]) - path_[i]).norm() > kStraight_m) return false;
-      }
-      return is_free(path_[at], path_[to]);
-    };
-    while (next + 1 < path_.size() && is_straight(next + 1)) ++next;
-    out.push_back(path_[next]);
-    at = next;
-  }
-  return out;
-}
-
 }  // namespace
 
 void Apf::search(graph::SharedGraph& graph, const Query& query, SearchResult& result) {
   Drive drive(graph.field(), query, params_);
   const Drive::End end = drive.run();
-  result.path = drive.polyline();
+  result.path = thinned(graph.field(), drive.path(), query.ignored, kStraight_m);
   switch (end) {
     case Drive::End::goal:
       result.status = PlanStatus::ok;
