@@ -13,11 +13,14 @@ constexpr std::array kAtan{0.9999999999999991,  -0.3333333333322457,  0.19999999
                            0.11111049714041536, -0.09089544390331752, 0.07673677753974685, -0.06506801232421022,
                            0.0502729986098597,  -0.02534928220990764};
 
+/// Estrin's scheme: a product waits for few before it.
 double small_atan(double x) {
   const double z = x * x;
-  double sum = kAtan.back();
-  for (std::size_t i = kAtan.size() - 1; i-- > 0;) sum = sum * z + kAtan[i];
-  return sum * x;
+  const double z2 = z * z;
+  const double z4 = z2 * z2;
+  const auto pair = [z](std::size_t i) { return kAtan[i] + kAtan[i + 1] * z; };
+  const double low = (pair(0) + pair(2) * z2) + (pair(4) + pair(6) * z2) * z4;
+  return (low + pair(8) * (z4 * z4)) * x;
 }
 
 }  // namespace
