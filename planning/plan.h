@@ -20,7 +20,8 @@ struct Plan {
   bool start_moved = false;  ///< the start lay in obstacles; the first leg leaves them
   bool goal_moved = false;   ///< the goal was covered; the path leads to the nearest free point
   std::vector<Vec2> path;    ///< start … end, metres, at least two points when ok; start alone when start = goal.
-                             ///< not_found, unreachable: leads as near to the goal as is known, may be empty
+                             ///< not_found, unreachable: leads as near to the goal as is known, or out of a
+                             ///< team-mate's way (`reason` says so), may be empty
   double length_m = 0.0;     ///< of path
   std::string reason;        ///< empty when ok
   bool operator==(const Plan&) const = default;

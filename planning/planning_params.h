@@ -42,6 +42,9 @@ struct PlanningParams {
   /// Keeping to a side costs targets among moving robots (0.05: 5 %, 0.2: 10 %): what moves is better passed on the
   /// other side soon. In the main job 0.2 takes away a fifth of the changes within 0.2 s.
   double side_change_gain = 0.0;
+  /// A robot that has no way because of a team-mate gets out of that one's way, as in a corridor: at most so far; 0: it
+  /// waits where it is. Half a field, so that there is a place wherever there is one.
+  double give_way_within_m = 4.0;
   std::int64_t iterations = 2500;         ///< samples a random planner may draw (N of Costa & Tonidandel)
   std::int64_t anytime_iterations = 200;  ///< where no time ends an anytime planner: about a millisecond of RRT*
   std::int64_t budget_us = 0;             ///< time per robot; 0: a random planner's is its share of frame_period_s
@@ -86,6 +89,8 @@ struct PlanningParams {
       "no growth this near to the goal");
     v("side_change_gain", self.side_change_gain, Range{0.0, 10.0}, "",
       "the way around an obstacle on the side followed is kept while at most this share longer than another; 0: not");
+    v("give_way_within_m", self.give_way_within_m, Range{0.0, 100.0}, "m",
+      "how far a robot goes to leave the way of a team-mate that leaves it none; 0: it waits");
     v("iterations", self.iterations, Range{0.0, 1e9}, "", "samples a random planner may draw per robot");
     v("anytime_iterations", self.anytime_iterations, Range{0.0, 1e9}, "",
       "the same for planners that use whatever they get (RRT*, BIT*), where no time limit holds, as in lock step");

@@ -90,6 +90,7 @@ TeamPlans TeamPlanner::plan(const FieldGeometry& field, const WorldState& world,
     out.plans.push_back({robot->id, world.captured, world.sequence, targets.sequence, 0, std::string(entry_->name),
                          generation_, target, std::move(plan)});
   }
+  give_way(obstacles, world, out.plans);
   previous_paths_.clear();
   for (RobotPlan& plan : out.plans) {
     plan.set_size = static_cast<std::uint32_t>(out.plans.size());
@@ -147,6 +148,26 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
   Plan plan = plan_in_field(own, robots, request);
   // What is expected may leave no way where today's places do.
   return plan.status == PlanStatus::ok ? plan : plan_in_field(graph_, robots, request);
+}
+
+/// Decided once all have plans, among today's places.
+void TeamPlanner::give_way(const TeamObstacles& obstacles, const WorldState& world, std::vector<RobotPlan>& plans) {
+  if (std::ranges::none_of(plans, [](const RobotPlan& plan) { return plan.plan.status == PlanStatus::unreachable; }))
+    return;
+  std::vector<GivingWay::Traveller> travellers;
+  for (RobotPlan& plan : plans) {
+    PlanRequest request;
+    request.start = find_robot(world, plan.robot)->pose.position_m;
+    request.goal = plan.target.pose.position_m;
+    request.ignored = ignored_by(obstacles, plan.robot, plan.target.may_enter_own_area);
+    const auto obstacle = std::ranges::find(obstacles.robots, plan.robot) - obstacles.robots.begin();
+    travellers.push_back({static_cast<std::size_t>(obstacle), std::move(request), &plan.plan});
+  }
+  std::vector<std::size_t> mates;
+  for (std::size_t i = 0; i < obstacles.robots.size(); ++i) {
+    if (obstacles.robots[i].team == team_) mates.push_back(i);
+  }
+  giving_way_.resolve(*planner_, graph_, travellers, mates, params_.give_way_within_m);
 }
 
 graph::SharedGraph& TeamPlanner::own_graph() {

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "planning/giving_way.h"
 #include "planning/graph/graph_picture.h"
 #include "planning/obstacle_rules.h"
 #include "planning/plan.h"
@@ -38,11 +39,11 @@ class TeamPlanner {
   Team team() const { return team_; }
 
   /// Targets of robots that are not in the world are left out; a target that makes no sense is answered by a plan of
-  /// status invalid. A robot stays on its side of obstacles (side_change_gain). Without stopwatch the answer is a
-  /// function of the arguments and of the paths answered in the frame before, and no time limit is honoured. Throws
-  /// std::invalid_argument where obstacles_for does, and for targets of the other team or two for one robot.
-  /// The rules of the situation lower the speed limits in the plans' targets; at halt every robot gets a plan without
-  /// path, so that it brakes.
+  /// status invalid. A robot stays on its side of obstacles (side_change_gain), and one to whom a team-mate leaves no
+  /// way leaves that one's (give_way_within_m). Without stopwatch the answer is a function of the arguments and of the
+  /// paths answered in the frame before, and no time limit is honoured. Throws std::invalid_argument where
+  /// obstacles_for does, and for targets of the other team or two for one robot. The rules of the situation lower the
+  /// speed limits in the plans' targets; at halt every robot gets a plan without path, so that it brakes.
   TeamPlans plan(const FieldGeometry& field, const WorldState& world, const Targets& targets,
                  const Stopwatch* stopwatch = nullptr, const Situation& situation = {});
 
@@ -54,6 +55,7 @@ class TeamPlanner {
                   const Target& target, const Stopwatch* stopwatch, std::int64_t budget_ns);
   Plan plan_among(const TeamObstacles& obstacles, const WorldState& world, const RobotState& robot,
                   double speed_max_mps, PlanRequest request);
+  void give_way(const TeamObstacles& obstacles, const WorldState& world, std::vector<RobotPlan>& plans);
   graph::SharedGraph& own_graph();
   Plan plan_in_field(graph::SharedGraph& graph, std::size_t robots, const PlanRequest& request);
   std::int64_t budget_ns(std::size_t robots) const;
@@ -73,6 +75,7 @@ class TeamPlanner {
   graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
   std::vector<Obstacle> grown_;
   SideKeeper side_keeper_;
+  GivingWay giving_way_;
   Time captured_{};
   std::uint64_t world_sequence_ = 0;
   std::map<std::uint16_t, std::vector<Vec2>> previous_paths_;
