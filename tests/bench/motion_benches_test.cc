@@ -66,6 +66,14 @@ TEST_CASE("there is no way around the corridor") {
   CHECK(blocked.arrivals[0].waited_m > 2.5);
 }
 
+TEST_CASE("two head-on in the corridor both arrive") {
+  MotionScene scene = corridor();
+  for (const auto& arrival : play_scene(scene, {}, "none", 1).arrivals) {
+    INFO(to_string(arrival.robot));
+    CHECK(arrival.arrived_s.has_value());
+  }
+}
+
 TEST_CASE("bench swap") {
   const BenchRun bench;
   SwapOptions options;
