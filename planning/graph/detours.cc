@@ -14,8 +14,8 @@ constexpr double kRounding = 1e-12;
 constexpr double kBeside = 1e-6;
 
 /// Infinite where the end cannot be passed.
-double past_end_m(const Vec2& from, const Vec2& end, bool is_passed, const Vec2& to) {
-  return is_passed ? (end - from).norm() + (to - end).norm() : std::numeric_limits<double>::infinity();
+double past_end_m(const Vec2& from, const Vec2& end, bool can_pass, const Vec2& to) {
+  return can_pass ? (end - from).norm() + (to - end).norm() : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ double Detours::least_m(const Vec2& from, const Vec2& to, std::size_t first) con
     const double unsure =
         kBeside * across.cwiseAbs().sum() * (from.cwiseAbs().sum() + to.cwiseAbs().sum() + gate.a.cwiseAbs().sum());
     if (std::abs(from_beside) <= unsure || std::abs(to_beside) <= unsure) continue;
-    least_m = std::max(least_m, std::min(past_end_m(from, gate.a, gate.is_passed_at_a, to),
-                                         past_end_m(from, gate.b, gate.is_passed_at_b, to)));
+    least_m = std::max(least_m, std::min(past_end_m(from, gate.a, gate.can_pass_at_a, to),
+                                         past_end_m(from, gate.b, gate.can_pass_at_b, to)));
   }
   return least_m;
 }

@@ -36,7 +36,7 @@ class Detours {
   };
   struct Gate {
     Vec2 a, b;
-    bool is_passed_at_a, is_passed_at_b;
+    bool can_pass_at_a, can_pass_at_b;
   };
 
   void add_gate(const Vec2& middle, const Vec2& half, double radius_m, const Bounds& bounds);
