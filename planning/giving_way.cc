@@ -1,9 +1,11 @@
 #include "planning/giving_way.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
-#include <string>
+#include <utility>
 
 namespace regista {
 namespace {

@@ -44,9 +44,6 @@ bool predicts(const PlanningParams& params) {
   return params.prediction_horizon_s > 0.0 || params.team_prediction_horizon_s > 0.0;
 }
 
-/// The picture of one graph keeps within 2000 edges, so that it fits a datagram; so does that of several.
-constexpr std::size_t kPictureEdgesMax = 2000;
-
 }  // namespace
 
 TeamPlanner::TeamPlanner(Team team, const PlanningParams& params)
@@ -198,11 +195,7 @@ Plan TeamPlanner::plan_in_field(graph::SharedGraph& graph, std::size_t robots, c
 GraphPicture TeamPlanner::picture() const {
   GraphPicture picture = graph_.picture();
   for (std::size_t i = 0; i < own_graphs_used_; ++i) {
-    const GraphPicture own = own_graphs_[i]->picture();
-    if (picture.edges.size() + own.edges.size() > kPictureEdgesMax) break;
-    const auto first = static_cast<std::uint32_t>(picture.nodes.size());
-    picture.nodes.insert(picture.nodes.end(), own.nodes.begin(), own.nodes.end());
-    for (const GraphEdge& edge : own.edges) picture.edges.push_back({first + edge.from, first + edge.to, edge.blocked});
+    if (!append(own_graphs_[i]->picture(), picture)) break;
   }
   picture.captured = captured_;
   picture.team = team_;

@@ -1,6 +1,7 @@
 // The shared graph as a viewer draws it: plain points and edges, detached from the planning that made them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -25,5 +26,12 @@ struct GraphPicture {
   std::vector<GraphEdge> edges;      ///< as far as any robot's search evaluated them
   bool operator==(const GraphPicture&) const = default;
 };
+
+/// No picture has more: it fits a datagram.
+inline constexpr std::size_t kEdgesInPicture = 2000;
+
+/// One more graph into the same picture, whose header stays. False, and nothing changes: together they have too many
+/// edges.
+bool append(const GraphPicture& other, GraphPicture& picture);
 
 }  // namespace regista

@@ -109,7 +109,7 @@ GraphPicture SharedGraph::picture() const {
   });
   std::sort(picture.edges.begin(), picture.edges.end(),
             [](const GraphEdge& a, const GraphEdge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; });
-  picture.edges.resize(std::min(picture.edges.size(), kEdgesInPicture));
+  picture.edges.resize(std::min(picture.edges.size(), kEdgesInPicture - legs_.size()));
   for (const Leg& leg : legs_) {
     const auto node = static_cast<std::uint32_t>(picture.nodes.size());
     picture.nodes.push_back(leg.from);

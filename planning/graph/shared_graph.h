@@ -77,9 +77,7 @@ class SharedGraph {
     Vec2 from, to;
     bool is_blocked = false;
   };
-  /// A picture is to fit into one datagram.
-  static constexpr std::size_t kLegsInPicture = 1000;
-  static constexpr std::size_t kEdgesInPicture = 2000;
+  static constexpr std::size_t kLegsInPicture = kEdgesInPicture / 2;
 
   static constexpr std::uint8_t kUnknown = 0xFF;
 
