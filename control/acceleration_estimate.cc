@@ -1,17 +1,32 @@
 #include "control/acceleration_estimate.h"
 
 namespace regista {
+namespace {
 
-void AccelerationEstimate::update(const WorldState& world, Team team, double dt_s, double filter_s,
-                                  double largest_mps2) {
+/// A change of so many times what a robot can do is a hit: 0.4 m/s from one frame to the next at 100 Hz. With the
+/// delays and noise of preset noisy no hit shows so abruptly, and 5 times made no fewer fouls there.
+constexpr double kHit = 10.0;
+/// About what expected accelerations last (SafetyParams): who is back sooner accelerates less.
+constexpr double kResumed_s = 0.3;
+
+}  // namespace
+
+void AccelerationEstimate::update(const WorldState& world, Team team, double dt_s, double filter_s, double largest_mps2,
+                                  double resumes_mps2) {
   std::map<RobotId, Estimate> next;
   for (const RobotState& robot : world.robots) {
     if (robot.id.team != team) continue;
-    Estimate estimate{robot.twist.velocity_mps, Vec2::Zero()};
+    const Vec2& velocity = robot.twist.velocity_mps;
+    Estimate estimate{velocity, Vec2::Zero(), velocity};
     if (const auto last = estimates_.find(robot.id); last != estimates_.end()) {
-      const Vec2 raw = (robot.twist.velocity_mps - last->second.velocity_mps) / dt_s;
-      const Vec2& smooth = last->second.acceleration_mps2;
-      estimate.acceleration_mps2 = clamped_norm(smooth + dt_s / (filter_s + dt_s) * (raw - smooth), largest_mps2);
+      const Vec2 raw = (velocity - last->second.velocity_mps) / dt_s;
+      if (resumes_mps2 > 0.0 && raw.norm() > kHit * largest_mps2) {
+        estimate.unhit_mps = last->second.unhit_mps;
+        estimate.acceleration_mps2 = clamped_norm((estimate.unhit_mps - velocity) / kResumed_s, resumes_mps2);
+      } else {
+        const Vec2& smooth = last->second.acceleration_mps2;
+        estimate.acceleration_mps2 = clamped_norm(smooth + dt_s / (filter_s + dt_s) * (raw - smooth), largest_mps2);
+      }
     }
     next.emplace_hint(next.end(), robot.id, estimate);
   }
