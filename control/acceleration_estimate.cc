@@ -3,9 +3,11 @@
 namespace regista {
 namespace {
 
-/// A change of so many times what a robot can do is a hit: 0.4 m/s from one frame to the next at 100 Hz. With the
-/// delays and noise of preset noisy no hit shows so abruptly, and 5 times made no fewer fouls there.
-constexpr double kHit = 10.0;
+/// Who is seen to change its velocity by so much within so short a time was hit: ten times what a robot can do at 100
+/// Hz. With the delays and noise of preset noisy no hit shows so abruptly, and half as much made no fewer fouls there.
+/// Over longer times, or by one that was out of sight, it may be its own doing.
+constexpr double kHit_mps = 0.4;
+constexpr double kHitWithin_s = 0.02;
 /// About what expected accelerations last (SafetyParams): who is back sooner accelerates less.
 constexpr double kResumed_s = 0.3;
 
@@ -17,15 +19,17 @@ void AccelerationEstimate::update(const WorldState& world, Team team, double dt_
   for (const RobotState& robot : world.robots) {
     if (robot.id.team != team) continue;
     const Vec2& velocity = robot.twist.velocity_mps;
-    Estimate estimate{velocity, Vec2::Zero(), velocity};
+    Estimate estimate{velocity, Vec2::Zero(), velocity, to_seconds(robot.age) <= kHitWithin_s};
     if (const auto last = estimates_.find(robot.id); last != estimates_.end()) {
-      const Vec2 raw = (velocity - last->second.velocity_mps) / dt_s;
-      if (resumes_mps2 > 0.0 && raw.norm() > kHit * largest_mps2) {
+      const Vec2 change = velocity - last->second.velocity_mps;
+      const bool is_abrupt = dt_s <= kHitWithin_s && estimate.is_in_sight && last->second.is_in_sight;
+      if (is_abrupt && change.norm() > kHit_mps) {
         estimate.unhit_mps = last->second.unhit_mps;
         estimate.acceleration_mps2 = clamped_norm((estimate.unhit_mps - velocity) / kResumed_s, resumes_mps2);
       } else {
         const Vec2& smooth = last->second.acceleration_mps2;
-        estimate.acceleration_mps2 = clamped_norm(smooth + dt_s / (filter_s + dt_s) * (raw - smooth), largest_mps2);
+        estimate.acceleration_mps2 =
+            clamped_norm(smooth + dt_s / (filter_s + dt_s) * (change / dt_s - smooth), largest_mps2);
       }
     }
     next.emplace_hint(next.end(), robot.id, estimate);

@@ -11,8 +11,8 @@ namespace regista {
 class AccelerationEstimate {
  public:
   /// Looks at the robots of that team, dt_s > 0 after the last look. filter_s >= 0 is the time constant of smoothing,
-  /// largest_mps2 what a robot can do. A change that no robot can do is a hit: from then on the robot is expected to
-  /// accelerate with up to resumes_mps2 towards its velocity before; 0: it is smoothed as any other change. Robots that
+  /// largest_mps2 what a robot can do. A change that no robot can do is a hit: in that frame the robot is expected to
+  /// accelerate with up to resumes_mps2 towards its velocity before, and from there on that is smoothed. Robots that
   /// are no longer there are forgotten.
   void update(const WorldState& world, Team team, double dt_s, double filter_s, double largest_mps2,
               double resumes_mps2);
@@ -25,6 +25,7 @@ class AccelerationEstimate {
     Vec2 velocity_mps = Vec2::Zero();
     Vec2 acceleration_mps2 = Vec2::Zero();
     Vec2 unhit_mps = Vec2::Zero();  ///< the velocity, or while hits follow on each other the one before them
+    bool is_in_sight = true;
   };
   std::map<RobotId, Estimate> estimates_;
 };

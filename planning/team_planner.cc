@@ -7,6 +7,7 @@
 
 #include "planning/arrivals.h"
 #include "planning/game_rules.h"
+#include "planning/giving_way.h"
 #include "planning/goal_leaning.h"
 #include "planning/obstacle_growth.h"
 #include "planning/predicted_obstacles.h"
@@ -151,20 +152,18 @@ Plan TeamPlanner::plan_among(const TeamObstacles& obstacles, const WorldState& w
 void TeamPlanner::give_way(const TeamObstacles& obstacles, const WorldState& world, std::vector<RobotPlan>& plans) {
   if (std::ranges::none_of(plans, [](const RobotPlan& plan) { return plan.plan.status == PlanStatus::unreachable; }))
     return;
-  std::vector<GivingWay::Traveller> travellers;
+  std::vector<Traveller> travellers;
   for (RobotPlan& plan : plans) {
-    PlanRequest request;
-    request.start = find_robot(world, plan.robot)->pose.position_m;
-    request.goal = plan.target.pose.position_m;
-    request.ignored = ignored_by(obstacles, plan.robot, plan.target.may_enter_own_area);
     const auto obstacle = std::ranges::find(obstacles.robots, plan.robot) - obstacles.robots.begin();
-    travellers.push_back({static_cast<std::size_t>(obstacle), std::move(request), &plan.plan});
+    travellers.push_back({static_cast<std::size_t>(obstacle), find_robot(world, plan.robot)->pose.position_m,
+                          plan.target.pose.position_m,
+                          ignored_by(obstacles, plan.robot, plan.target.may_enter_own_area), &plan.plan});
   }
   std::vector<std::size_t> mates;
   for (std::size_t i = 0; i < obstacles.robots.size(); ++i) {
     if (obstacles.robots[i].team == team_) mates.push_back(i);
   }
-  giving_way_.resolve(*planner_, graph_, travellers, mates, params_.give_way_within_m);
+  regista::give_way(graph_.field(), mates, params_.give_way_within_m, travellers);
 }
 
 graph::SharedGraph& TeamPlanner::own_graph() {
@@ -195,7 +194,7 @@ Plan TeamPlanner::plan_in_field(graph::SharedGraph& graph, std::size_t robots, c
 GraphPicture TeamPlanner::picture() const {
   GraphPicture picture = graph_.picture();
   for (std::size_t i = 0; i < own_graphs_used_; ++i) {
-    if (!append(own_graphs_[i]->picture(), picture)) break;
+    append(own_graphs_[i]->picture(), picture);
   }
   picture.captured = captured_;
   picture.team = team_;

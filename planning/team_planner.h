@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 
-#include "planning/giving_way.h"
 #include "planning/graph/graph_picture.h"
 #include "planning/obstacle_rules.h"
 #include "planning/plan.h"
@@ -75,7 +74,6 @@ class TeamPlanner {
   graph::SharedGraph grown_graph_;  ///< of one robot, whose goal decides how obstacles grow
   std::vector<Obstacle> grown_;
   SideKeeper side_keeper_;
-  GivingWay giving_way_;
   Time captured_{};
   std::uint64_t world_sequence_ = 0;
   std::map<std::uint16_t, std::vector<Vec2>> previous_paths_;

@@ -1,16 +1,15 @@
 #include "planning/graph/blocker_set.h"
 
+#include <bit>
+
 namespace regista::graph {
 namespace {
-
-/// So many are looked at one by one.
-constexpr std::size_t kFew = 4;
 
 /// Double precision rounds by 1e-16; sums and products of four numbers stay far below.
 constexpr double kRounding = 1e-12;
 
 /// The bit of a slot; none for what is no slot of few.
-std::uint64_t bit_of(std::uint32_t slot) { return slot < kFew ? std::uint64_t{1} << slot : 0; }
+std::uint64_t bit_of(std::uint32_t slot) { return slot < 64 ? std::uint64_t{1} << slot : 0; }
 
 }  // namespace
 
@@ -36,11 +35,11 @@ void BlockerSet::add(const ObstacleField& field, ObstacleIndex obstacle) {
 
 bool BlockerSet::are_clear_of(const ObstacleField& field, const ObstacleBoxes::Motion& motion, std::uint32_t from,
                               std::uint32_t to, Occluders& occluders) const {
-  if (list_.size() <= kFew) {
+  if (is_few()) {
     const std::uint64_t all = (std::uint64_t{1} << list_.size()) - 1;
     return are_few_clear_of(field, motion, all & ~bit_of(from) & ~bit_of(to), occluders);
   }
-  if (occluders.surely_block(motion.from, motion.along, (motion.to - motion.from).dot(motion.along))) return false;
+  if (occluders.surely_block(motion)) return false;
   bool is_blocked = false;
   boxes_.visit_near(motion, [&](std::uint32_t slot) {
     const Obstacle& obstacle = field.obstacles()[list_[slot]];

@@ -1,6 +1,7 @@
 // Obstacles that a search has run into: a fast test of motions against all of them, for what blocked one blocks many.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
@@ -29,12 +30,18 @@ class BlockerSet {
   /// By slot.
   std::span<const ObstacleIndex> list() const { return list_; }
 
+  /// They are looked at one by one, without asking the occluders first: most legs of a tangent search are free of so
+  /// few. Where most motions are blocked, that is worth doing before.
+  bool is_few() const { return list_.size() <= kFew; }
+
   /// None of them blocks the motion; those of slots `from` and `to` (or kNone) it touches without crossing them, and
   /// they are not asked. What does block becomes one of the occluders, which are of motions like this one.
   bool are_clear_of(const ObstacleField& field, const ObstacleBoxes::Motion& motion, std::uint32_t from,
                     std::uint32_t to, Occluders& occluders) const;
 
  private:
+  static constexpr std::size_t kFew = 4;
+
   /// The core's box of a slot, and the radius, grown by what rounding may take away.
   struct Around {
     Vec2 middle;

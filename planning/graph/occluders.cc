@@ -24,19 +24,20 @@ void Occluders::add(const Obstacle& obstacle) {
 }
 
 /// The foot of the centre lies on the leg, nearer than the radius.
-bool Occluders::surely_block(const Vec2& from, const Vec2& along, double length_m) const {
+bool Occluders::surely_block(const ObstacleBoxes::Motion& motion) const {
   using Lanes = std::experimental::fixed_size_simd<float, kCount>;
   const auto load = [](const std::array<float, kCount>& column) {
     return Lanes(column.data(), std::experimental::vector_aligned);
   };
-  const auto along_x = static_cast<float>(along.x());
-  const auto along_y = static_cast<float>(along.y());
-  const auto rounding_m = static_cast<float>(kRounding * size_of(from));
-  const Lanes x = load(x_) - static_cast<float>(from.x());
-  const Lanes y = load(y_) - static_cast<float>(from.y());
+  const auto along_x = static_cast<float>(motion.along.x());
+  const auto along_y = static_cast<float>(motion.along.y());
+  const auto rounding_m = static_cast<float>(kRounding * size_of(motion.from));
+  const Lanes x = load(x_) - static_cast<float>(motion.from.x());
+  const Lanes y = load(y_) - static_cast<float>(motion.from.y());
   const Lanes foot = along_x * x + along_y * y;
   const Lanes apart = std::experimental::abs(along_x * y - along_y * x) + rounding_m;
-  return any_of(apart < load(radius_) && foot > 0.0F && foot < static_cast<float>(length_m));
+  return any_of(apart < load(radius_) && foot > 0.0F &&
+                foot < static_cast<float>((motion.to - motion.from).dot(motion.along)));
 }
 
 }  // namespace regista::graph

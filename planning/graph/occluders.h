@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "planning/obstacle.h"
+#include "planning/obstacle_boxes.h"
 
 namespace regista::graph {
 
@@ -15,8 +15,8 @@ class Occluders {
   /// Forgets the oldest one. Of what is no disc, the disc around the middle of its core.
   void add(const Obstacle& obstacle);
 
-  /// True: one of their obstacles blocks the leg for certain. `along` is its unit vector.
-  bool surely_block(const Vec2& from, const Vec2& along, double length_m) const;
+  /// True: one of their obstacles blocks the motion for certain.
+  bool surely_block(const ObstacleBoxes::Motion& motion) const;
 
  private:
   static constexpr std::size_t kCount = 4;

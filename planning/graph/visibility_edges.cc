@@ -48,7 +48,7 @@ void VisibilityFront::queue_edge(Local from, Local to, double done_m) {
     return;
   }
   const Vec2 along = length_m > 0.0 ? Vec2(way / length_m) : Vec2::Zero();
-  if (!is_free_of_marked({source.position, target.position, along}, length_m)) return;
+  if (!is_free_of_marked({source.position, target.position, along})) return;
   queue_.push({estimate, static_cast<std::uint32_t>(edges_.size()), false});
   edges_.push_back({cost, from, to, static_cast<std::uint32_t>(marked_.size())});
 }
@@ -82,7 +82,11 @@ const VisibilityFront::Edge* VisibilityFront::next_edge() {
     if (edge.cost >= to.cost || is_void(to)) continue;
     const double estimate = edge.cost + least_to_goal_m(to);
     if (estimate <= entry.estimate_m + kPutOff_m) return &edge;
-    queue_.push({estimate, entry.index, false});
+    if (estimate <= limit_m_) {
+      queue_.push({estimate, entry.index, false});
+    } else {
+      least_beyond_m_ = std::min(least_beyond_m_, estimate);
+    }
   }
   return nullptr;
 }
@@ -107,8 +111,8 @@ bool VisibilityFront::is_open(SharedGraph& graph, const Edge& edge) {
   const Node& to = nodes_[edge.to];
   // Most edges that fail have failed by now; the others show what else has to be gone round.
   if (edge.free_of < marked_.size()) {
-    const Vec2 way = to.position - from.position;
-    if (!is_free_of_marked({from.position, to.position, way.normalized()}, way.norm())) return false;
+    const Vec2 along = (to.position - from.position).normalized();
+    if (!is_free_of_marked({from.position, to.position, along})) return false;
   }
   std::span<const ObstacleIndex> blockers;
   if (edge.from > kGoal && edge.to > kGoal) {
@@ -124,10 +128,10 @@ bool VisibilityFront::is_open(SharedGraph& graph, const Edge& edge) {
   return false;
 }
 
-/// What blocked an edge blocks its neighbours as well.
-bool VisibilityFront::is_free_of_marked(const ObstacleBoxes::Motion& motion, double length_m) {
-  return !occluders_.surely_block(motion.from, motion.along, length_m) &&
-         marked_.are_clear_of(*field_, motion, BlockerSet::kNone, BlockerSet::kNone, occluders_);
+/// What blocked an edge blocks its neighbours as well: all edges share their occluders.
+bool VisibilityFront::is_free_of_marked(const ObstacleBoxes::Motion& motion) {
+  if (marked_.is_few() && occluders_.surely_block(motion)) return false;
+  return marked_.are_clear_of(*field_, motion, BlockerSet::kNone, BlockerSet::kNone, occluders_);
 }
 
 }  // namespace regista::graph

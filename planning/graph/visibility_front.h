@@ -74,7 +74,7 @@ class VisibilityFront {
   void drop_void_targets();
   bool widen();
   bool is_void(const Node& node) const { return node.covered_by != kBounds && marked_.contains(node.covered_by); }
-  bool is_free_of_marked(const ObstacleBoxes::Motion& motion, double length_m);
+  bool is_free_of_marked(const ObstacleBoxes::Motion& motion);
   double least_to_goal_m(Node& node);
   const Edge* next_edge();
   bool is_open(SharedGraph& graph, const Edge& edge);

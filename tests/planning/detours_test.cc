@@ -26,6 +26,12 @@ TEST_CASE("no way is shorter than the bound, and where the bound says that there
     const double bound_m = detours.least_m(request.start, request.goal);
     CHECK(bound_m == Approx(detours.least_m(request.goal, request.start)));
     const double straight_m = (request.goal - request.start).norm();
+    const std::size_t first = static_cast<std::size_t>(world) % (field.size() + 1);
+    const double of_late_m = detours.least_m(request.start, request.goal, first);
+    CHECK(of_late_m <= bound_m);
+    Detours early;
+    for (std::size_t i = 0; i < first; ++i) early.add(field.obstacles()[i], field.bounds());
+    CHECK(std::max(early.least_m(request.start, request.goal), of_late_m) == bound_m);
     CHECK(bound_m >= straight_m * (1.0 - 1e-12));
     longer += bound_m > straight_m * (1.0 + 1e-6) ? 1 : 0;
     closed += bound_m > 1e9 ? 1 : 0;

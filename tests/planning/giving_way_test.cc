@@ -107,7 +107,7 @@ TEST_CASE("head-on in the middle of a corridor one of them gives way, whoever is
   }
 }
 
-TEST_CASE("two head-on in a corridor arrive without touching each other") {
+TEST_CASE("two head-on in a corridor both arrive") {
   for (const double shift_m : {-0.3, -0.1, 0.0, 0.05, 0.25}) {
     HeadOn scene({-2.5, 0.0}, {2.5 + shift_m, 0.0});
     TeamPlanner planner(Team::yellow, {});
@@ -127,12 +127,33 @@ TEST_CASE("two head-on in a corridor arrive without touching each other") {
   }
 }
 
-TEST_CASE("who stands beside the other's way stays there until that one has passed") {
-  const HeadOn scene({-1.0, 0.5}, {0.0, 0.0});
+TEST_CASE("who stands outside of the other's way goes on as far as it stays outside") {
+  for (Vec2 place : {Vec2(-1.0, 0.5), Vec2(-2.0, 1.5), Vec2(-0.9, -0.4)}) {
+    double way_m = 0.0;
+    double last_m = 1.0;
+    for (int frame = 0; frame < 20 && last_m > 0.0; ++frame) {
+      const RobotPlan plan = plans_of(HeadOn(place, {0.0, 0.0}))[0];
+      REQUIRE(gives_way(plan));
+      CHECK(plan.plan.length_m == length_of(plan.plan.path));
+      last_m = plan.plan.length_m;
+      way_m += last_m;
+      place = plan.plan.path.back();
+      CHECK(std::abs(place.y()) > kBody_m);
+    }
+    CHECK(last_m < 0.01);
+    CHECK(way_m > 0.1);
+    CHECK(std::abs(place.y()) < 0.5);
+  }
+}
+
+TEST_CASE("of three in a corridor the one that comes alone gives way to the two") {
+  HeadOn scene({-0.35, 0.0}, {0.0, 0.0});
+  add_yellow(scene.world, scene.targets, 2, {0.3, 0.0}, {-2.0, 0.0});
   const std::vector<RobotPlan> plans = plans_of(scene);
+  REQUIRE(plans.size() == 3);
   CHECK(gives_way(plans[0]));
-  CHECK(plans[0].plan.path == std::vector<Vec2>{Vec2(-1.0, 0.5)});
-  CHECK(plans[1].plan.status == PlanStatus::ok);
+  CHECK_FALSE(gives_way(plans[1]));
+  CHECK(plans == plans_of(scene));
 }
 
 TEST_CASE("nobody gives way to one who is where he wants to be, or is one of a crowd") {
@@ -151,7 +172,9 @@ TEST_CASE("nobody gives way to one who is where he wants to be, or is one of a c
     add_yellow(ring, targets, i, 0.3 * out, 2.0 * out);
   }
   TeamPlanner planner(Team::yellow, {});
-  for (const RobotPlan& plan : planner.plan(division_b(), ring, targets).plans) CHECK_FALSE(gives_way(plan));
+  const std::vector<RobotPlan> enclosed = planner.plan(division_b(), ring, targets).plans;
+  CHECK(enclosed[0].plan.status == PlanStatus::unreachable);
+  for (const RobotPlan& plan : enclosed) CHECK_FALSE(gives_way(plan));
 }
 
 }  // namespace regista

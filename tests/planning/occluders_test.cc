@@ -35,9 +35,10 @@ TEST_CASE("what occluders say is blocked is blocked by one of the last four obst
     for (int i = 0; i < 20; ++i) {
       const Vec2 from = point();
       const Vec2 to = point();
+      const Vec2 along = (to - from).normalized();
       const bool is_blocked =
           std::any_of(last.begin(), last.end(), [&](const Obstacle& one) { return !is_free(from, to, one); });
-      const bool claims = occluders.surely_block(from, (to - from).normalized(), (to - from).norm());
+      const bool claims = occluders.surely_block({from, to, along});
       INFO("leg " << i << " of round " << round << " of seed 71");
       if (claims) CHECK(is_blocked);
       blocked += is_blocked ? 1 : 0;
@@ -45,7 +46,8 @@ TEST_CASE("what occluders say is blocked is blocked by one of the last four obst
     }
   }
   CHECK(claimed > blocked / 3);
-  CHECK_FALSE(Occluders().surely_block({0, 0}, {1, 0}, 1.0));
+  const Vec2 from(0, 0), to(1, 0);
+  CHECK_FALSE(Occluders().surely_block({from, to, to}));
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ Table table_of(const std::vector<Played>& all, const SwapOptions& options) {
   table.notes = {
       "time: until within 5 cm of the target, over the time-optimal straight drive from rest to rest; "
       "delay and lag are in the first alone",
-      "worst of a run: its last robot, mean over runs",
+      "worst of a run: the largest of its robots that arrived, mean over runs",
       "waited: mean distance to the target in the last 3 s of those not arrived; waiting speed: root mean "
       "square of theirs",
       "robots and arrivals are summed over runs; logs of the first runs: swap_<row>.lcmlog"};
