@@ -33,7 +33,7 @@ class GivingWay {
     const Traveller& self = travellers_[traveller];
     std::optional<Plan> plan =
         space_.is_clear(self, of_other) ? space_.held_back(self, of_other) : space_.way_out(self, of_other, within_m_);
-    if (!plan || (met_[other] == traveller && goes_first(other, traveller, plan->length_m))) return std::nullopt;
+    if (!plan || (met_[other] == traveller && !goes_aside(traveller, other, plan->length_m))) return std::nullopt;
     plan->status = PlanStatus::unreachable;
     plan->reason = "obstacles close every way; gives way to a team-mate";
     return plan;
@@ -88,14 +88,11 @@ class GivingWay {
     return met == travellers_.end() ? kNobody : static_cast<std::size_t>(met - travellers_.begin());
   }
 
-  /// Of two that close each other's way: it is not the one to leave, whose way out has that length.
-  bool goes_first(std::size_t other, std::size_t traveller, double length_m) {
-    const std::span<const Vec2> way = way_of(traveller).path;
-    if (space_.is_clear(travellers_[other], way)) return true;
-    const std::optional<Plan> out = space_.way_out(travellers_[other], way, within_m_);
-    if (!out) return false;
+  /// Of two that stand in each other's way: the one, by a way of that length, that gets out of it sooner.
+  bool goes_aside(std::size_t traveller, std::size_t other, double length_m) {
+    const std::optional<Plan> out = space_.way_out(travellers_[other], way_of(traveller).path, within_m_);
     const bool is_higher = travellers_[traveller].obstacle > travellers_[other].obstacle;
-    return length_m >= out->length_m + (is_higher ? kAboutEqual_m : -kAboutEqual_m);
+    return !out || length_m < out->length_m + (is_higher ? kAboutEqual_m : -kAboutEqual_m);
   }
 
   OutOfTheWay space_;

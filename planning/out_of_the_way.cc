@@ -48,20 +48,19 @@ Plan OutOfTheWay::held_back(const Traveller& traveller, std::span<const Vec2> of
   Plan plan = *traveller.plan;
   const double apart_m = reach_m(traveller) + kClearer_m;
   const auto is_off = [&](const Vec2& from, const Vec2& to) { return is_apart(from, to, of_other, apart_m); };
-  std::size_t kept = plan.path.empty() ? 0 : 1;
-  while (kept != 0 && kept < plan.path.size() && is_off(plan.path[kept - 1], plan.path[kept])) ++kept;
-  if (kept == 0) plan.path.push_back(traveller.start);
-  if (kept != 0 && kept < plan.path.size()) {
+  if (plan.path.empty()) plan.path.push_back(traveller.start);
+  std::size_t kept = 1;
+  while (kept < plan.path.size() && is_off(plan.path[kept - 1], plan.path[kept])) ++kept;
+  if (kept < plan.path.size()) {
     constexpr int kHalvings = 12;
-    const Vec2 from = plan.path[kept - 1];
-    Vec2 part = plan.path[kept] - from;
-    Vec2 to = from;
+    Vec2 part = plan.path[kept] - plan.path[kept - 1];
+    Vec2 to = plan.path[kept - 1];
     for (int i = 0; i < kHalvings; ++i) {
       part *= 0.5;
       if (is_off(to, to + part)) to += part;
     }
     plan.path.resize(kept);
-    if (to != from) plan.path.push_back(to);
+    if (to != plan.path.back()) plan.path.push_back(to);
   }
   plan.length_m = length_of(plan.path);
   return plan;

@@ -25,7 +25,8 @@ class OutOfTheWay {
 
   const ObstacleField& field() const { return graph_.field(); }
 
-  /// The exact planner's way to any goal, whatever the traveller's own planner.
+  /// The exact planner's way to any goal, whatever the traveller's own planner; lengths in metres. A goal that is not
+  /// finite is answered by status invalid.
   Plan plan(const Traveller& traveller, const Vec2& goal, std::vector<std::size_t> ignored, double length_max_m);
 
   /// Where it is, the traveller does not reach into that path.
@@ -34,7 +35,8 @@ class OutOfTheWay {
   /// The traveller's own plan as far as it keeps off that path, of which it is clear.
   Plan held_back(const Traveller& traveller, std::span<const Vec2> of_other) const;
 
-  /// To the nearest place from which it does not reach into that path, if there is one at most within_m away.
+  /// To the nearest place from which it does not reach into that path, if there is one by a way shorter than within_m,
+  /// metres.
   std::optional<Plan> way_out(const Traveller& traveller, std::span<const Vec2> of_other, double within_m);
 
  private:

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <numbers>
+#include <random>
 
 #include "planning/team_planner.h"
+#include "planning/uniform.h"
 #include "world_model/types/field.h"
 
 namespace regista {
@@ -144,6 +146,26 @@ TEST_CASE("who stands outside of the other's way goes on as far as it stays outs
     CHECK(way_m > 0.1);
     CHECK(std::abs(place.y()) < 0.5);
   }
+}
+
+TEST_CASE("of two that close each other's way exactly one gives way, wherever they stand in it") {
+  std::mt19937_64 random(83);
+  int mutual = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double left_m = uniform(random, -0.7, 0.4);
+    const double right_m = uniform(random, left_m + kBody_m, 0.7);
+    const HeadOn scene({left_m, uniform(random, -0.04, 0.04)}, {right_m, uniform(random, -0.04, 0.04)});
+    const std::vector<RobotPlan> alone = plans_of(scene, 0.0);
+    if (std::ranges::any_of(alone, [](const RobotPlan& one) {
+          return one.plan.status != PlanStatus::unreachable || one.plan.start_moved;
+        }))
+      continue;
+    ++mutual;
+    const std::vector<RobotPlan> plans = plans_of(scene);
+    INFO("scene " << i << " of seed 83");
+    CHECK(gives_way(plans[0]) != gives_way(plans[1]));
+  }
+  CHECK(mutual > 50);
 }
 
 TEST_CASE("of three in a corridor the one that comes alone gives way to the two") {
