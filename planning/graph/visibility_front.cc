@@ -109,13 +109,11 @@ ObstacleIndex VisibilityFront::worth_marking(const Vec2& from, const Vec2& to,
 }
 
 void VisibilityFront::mark(SharedGraph& graph, ObstacleIndex obstacle) {
-  add_to_marked(obstacle);
+  marked_.add(*field_, obstacle);
   const std::size_t targets_before = targets_.size();
   add_samples(graph, obstacle);
   queue_edges_to(targets_before);
 }
-
-void VisibilityFront::add_to_marked(ObstacleIndex obstacle) { marked_.add(*field_, obstacle); }
 
 /// Nothing that stands in the way helps any more: before giving up, the obstacles that never did are sampled as well,
 /// those near what was reached first. False when all were marked already.
@@ -128,7 +126,7 @@ bool VisibilityFront::mark_rest(SharedGraph& graph) {
     for (ObstacleIndex i = 0; i < field_->size(); ++i) {
       if (marked_.contains(i) || is_ignored(i, query_.ignored)) continue;
       is_one_left = true;
-      if (is_near_expanded(field_->obstacles()[i])) add_to_marked(i);
+      if (is_near_expanded(field_->obstacles()[i])) marked_.add(*field_, i);
     }
   }
   // Samples come after all marks, so that fewer wait for what covers them.

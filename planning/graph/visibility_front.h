@@ -79,7 +79,6 @@ class VisibilityFront {
   const Edge* next_edge();
   bool is_open(SharedGraph& graph, const Edge& edge);
   void mark(SharedGraph& graph, ObstacleIndex obstacle);
-  void add_to_marked(ObstacleIndex obstacle);
   bool mark_rest(SharedGraph& graph);
   bool is_near_expanded(const Obstacle& obstacle) const;
 

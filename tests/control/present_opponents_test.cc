@@ -102,4 +102,24 @@ TEST_CASE("an opponent that speeds up is seen faster than it was, one of ours is
   CHECK(seen[0].position_m.x() == Approx(way_m + 0.03 * 1.98 + 2.0 * 0.06 * 0.06 / 2.0).margin(0.001));
 }
 
+TEST_CASE("an acceleration is carried on for 60 ms, however late an opponent is seen") {
+  ControlParams params;
+  params.drive_lag_s = 0.03;
+  PresentOpponents opponents;
+  WorldState world;
+  world.robots.resize(1);
+  world.robots[0].id = {Team::blue, 4};
+  double speed_mps = 0.0;
+  for (int tick = 0; tick < 100; ++tick) {
+    speed_mps = 2.0 * tick * 0.01;  // 2 m/s²
+    world.captured = Time{} + from_seconds(0.01 * tick);
+    world.valid_at = world.captured + from_seconds(0.2);
+    world.robots[0].twist.velocity_mps = {speed_mps, 0.0};
+    opponents.update(world, Team::blue, params, 0.01);
+  }
+  const Opponent seen = opponents.update(world, Team::blue, params, 0.01)[0];
+  CHECK(seen.velocity_mps.x() <= speed_mps + 2.0 * 0.06 + 1e-9);
+  CHECK(seen.velocity_mps.x() > speed_mps + 0.08);
+}
+
 }  // namespace regista
