@@ -1,5 +1,4 @@
-// What robots whose commands are not known accelerate with: the change of their estimated velocities, smoothed. Who was
-// hit goes back to the velocity it had.
+// What robots whose commands are not known accelerate with: the change of their estimated velocities, smoothed.
 #pragma once
 
 #include <map>
@@ -11,11 +10,8 @@ namespace regista {
 class AccelerationEstimate {
  public:
   /// Looks at the robots of that team, dt_s > 0 after the last look. filter_s >= 0 is the time constant of smoothing,
-  /// largest_mps2 what a robot can do. A change that no robot can do is a hit: in that frame the robot is expected to
-  /// accelerate with up to resumes_mps2 towards its velocity before, and from there on that is smoothed. Robots that
-  /// are no longer there are forgotten.
-  void update(const WorldState& world, Team team, double dt_s, double filter_s, double largest_mps2,
-              double resumes_mps2);
+  /// largest_mps2 what a robot can do. Robots that are no longer there are forgotten.
+  void update(const WorldState& world, Team team, double dt_s, double filter_s, double largest_mps2);
 
   /// m/s²; zero for a robot not seen twice.
   Vec2 of(RobotId id) const;
@@ -24,8 +20,6 @@ class AccelerationEstimate {
   struct Estimate {
     Vec2 velocity_mps = Vec2::Zero();
     Vec2 acceleration_mps2 = Vec2::Zero();
-    Vec2 unhit_mps = Vec2::Zero();  ///< the velocity, or while hits follow on each other the one before them
-    bool is_in_sight = true;
   };
   std::map<RobotId, Estimate> estimates_;
 };

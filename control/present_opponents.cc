@@ -31,9 +31,8 @@ Opponent accelerated(const Vec2& coasted_to_m, const Vec2& velocity_mps, const V
 std::span<const Opponent> PresentOpponents::update(const WorldState& world, Team theirs, const ControlParams& params,
                                                    double dt_s) {
   const double delay_s = planning_delay_s(world, params.drive_lag_s);
-  const double acceleration = params.limits.acceleration_max_mps2;
   accelerations_.update(world, theirs, dt_s, params.acceleration_filter_s,
-                        std::max(acceleration, params.limits.braking_max_mps2), acceleration);
+                        std::max(params.limits.acceleration_max_mps2, params.limits.braking_max_mps2));
   const double lasts_s = std::min({delay_s, params.safety.acceleration_lasts_s, kLongestChange_s});
   opponents_.clear();
   for (const RobotState& robot : world.robots) {

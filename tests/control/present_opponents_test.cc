@@ -66,17 +66,6 @@ TEST_CASE("the delay reaches from capture to when commands act, and over our dri
   CHECK(planning_delay_s(world, 0.03) == Approx(0.03));
 }
 
-TEST_CASE("an opponent that was hit is expected to go on as before") {
-  PresentOpponents opponents;
-  WorldState world;
-  world.robots.resize(1);
-  world.robots[0].id = {Team::blue, 4};
-  world.robots[0].twist.velocity_mps = {2.0, 0.0};
-  opponents.update(world, Team::blue, {}, 0.01);
-  world.robots[0].twist.velocity_mps = {0.5, 0.0};
-  CHECK(opponents.update(world, Team::blue, {}, 0.01)[0].acceleration_mps2 == Vec2(3.0, 0.0));
-}
-
 TEST_CASE("an opponent that speeds up is seen faster than it was, one of ours is none") {
   ControlParams params;
   params.drive_lag_s = 0.03;
