@@ -83,6 +83,21 @@ TEST_CASE("who is about to hit another opponent is expected to go on with it, an
   CHECK(touches[0].at_s == Approx(0.91));
 }
 
+TEST_CASE("of who drives and touches another opponent more room is kept, of two that stand side by side no more") {
+  OpponentModels models;
+  const auto is_clear_at = [&](const Vec2& position_m, const Vec2& velocity_mps, bool has_partner) {
+    std::vector<Opponent> all{{{0.0, 0.0}, velocity_mps, Vec2::Zero()}};
+    if (has_partner) all.push_back({{0.0, -0.19}, velocity_mps + Vec2(0.0, 0.1), Vec2::Zero()});
+    models.set(all, RobotLimits{}, SafetyParams{}, kPeriod_s);
+    return models.is_clear_of_expected(Motion(position_m, Vec2::Zero()));
+  };
+  const Vec2 drives(1.0, 0.0);
+  CHECK(is_clear_at({0.5, 0.28}, drives, false));
+  CHECK_FALSE(is_clear_at({0.5, 0.28}, drives, true));
+  CHECK(is_clear_at({0.5, 0.45}, drives, true));
+  CHECK(is_clear_at({0.0, 0.21}, Vec2::Zero(), true));
+}
+
 TEST_CASE("a neighbour beside an opponent hides neither its acceleration nor its braking") {
   const Opponent neighbour{{0.0, 0.19}, Vec2::Zero(), Vec2::Zero()};
   const Opponent starts{{0.0, 0.0}, {0.0, 0.02}, {3.0, 0.0}};
