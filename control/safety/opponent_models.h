@@ -33,7 +33,7 @@ class OpponentModels {
   bool is_clear_of_braking(const Motion& ours) const;
   /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
   /// who else is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile, more
-  /// for who is hitting another one now.
+  /// for who drives and touches another one or is about to.
   bool is_clear_of_expected(const Motion& ours, Care care = Care::margins) const;
   /// How bad the worst crash is that is expected: 0 where nobody is expected within the margin before the crash
   /// horizon, 1 and more for what would be our foul by the crash rule, by m/s the more the clearer it is; any other is

@@ -24,7 +24,8 @@ struct SafetyParams {
   double opponent_reaction_s = 0.018;
   double acceleration_lasts_s = 0.3;  ///< from when commands act on, or until it stands: opponents'
   /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share
-  /// of the way it drives meanwhile. So what is planned for later still holds when later comes.
+  /// of the way it drives meanwhile, and by more while opponents jostle each other (opponent_models.cc). So what is
+  /// planned for later still holds when later comes.
   double opponent_growth = 0.06;
   double horizon_s = 1.0;  ///< opponents are predicted so far; farther, they have changed their minds
   /// A change of velocity counts as an evasion when keeping it up for one of these times and driving on then is clear

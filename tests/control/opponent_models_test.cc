@@ -83,19 +83,26 @@ TEST_CASE("who is about to hit another opponent is expected to go on with it, an
   CHECK(touches[0].at_s == Approx(0.91));
 }
 
-TEST_CASE("of who drives and touches another opponent more room is kept, of two that stand side by side no more") {
+TEST_CASE("of who drives and is about to touch another opponent so much more room is kept, of who stands there none") {
   OpponentModels models;
-  const auto is_clear_at = [&](const Vec2& position_m, const Vec2& velocity_mps, bool has_partner) {
-    std::vector<Opponent> all{{{0.0, 0.0}, velocity_mps, Vec2::Zero()}};
-    if (has_partner) all.push_back({{0.0, -0.19}, velocity_mps + Vec2(0.0, 0.1), Vec2::Zero()});
+  // A partner to the right comes nearer by 0.1 m/s and touches after partner_s, or there is none.
+  const auto is_clear = [&](const Vec2& ours_m, double speed_mps, double partner_s, Care care = Care::margins) {
+    std::vector<Opponent> all{{{0.0, 0.0}, {speed_mps, 0.0}, Vec2::Zero()}};
+    if (partner_s < kNever) {
+      const Vec2 there(0.0, -2.0 * RobotLimits{}.radius_m - 0.1 * partner_s);
+      all.push_back({there, {speed_mps, 0.1}, Vec2::Zero()});
+    }
     models.set(all, RobotLimits{}, SafetyParams{}, kPeriod_s);
-    return models.is_clear_of_expected(Motion(position_m, Vec2::Zero()));
+    return models.is_clear_of_expected(Motion(ours_m, Vec2::Zero()), care);
   };
-  const Vec2 drives(1.0, 0.0);
-  CHECK(is_clear_at({0.5, 0.28}, drives, false));
-  CHECK_FALSE(is_clear_at({0.5, 0.28}, drives, true));
-  CHECK(is_clear_at({0.5, 0.45}, drives, true));
-  CHECK(is_clear_at({0.0, 0.21}, Vec2::Zero(), true));
+  // It passes 0.5 m ahead after 0.5 s with 0.2 m for bodies and margin, 0.03 m for its way, 0.1 m for being jostled.
+  CHECK(is_clear({0.5, 0.25}, 1.0, kNever));
+  CHECK(is_clear({0.5, 0.25}, 1.0, 0.25));
+  CHECK_FALSE(is_clear({0.5, 0.33}, 1.0, 0.15));
+  CHECK(is_clear({0.5, 0.36}, 1.0, 0.15));
+  CHECK(is_clear({0.5, 0.36}, 1.0, 0.15, Care::steady_too));
+  CHECK_FALSE(is_clear({0.0, 0.25}, 0.35, 0.15));
+  CHECK(is_clear({0.0, 0.25}, 0.25, 0.15));
 }
 
 TEST_CASE("a neighbour beside an opponent hides neither its acceleration nor its braking") {
