@@ -22,10 +22,11 @@ Opponent accelerated(const Vec2& coasted_to_m, const Vec2& velocity_mps, const V
   const double stops_s = against > 0.0 ? velocity_mps.squaredNorm() / against : delay_s;
   if (stops_s < lasts_s) {
     const Vec2 coasted_from_m = coasted_to_m - delay_s * velocity_mps;
-    return {coasted_from_m + stops_s / 2.0 * velocity_mps, Vec2::Zero(), Vec2::Zero()};
+    return {.position_m = coasted_from_m + stops_s / 2.0 * velocity_mps};
   }
-  return {coasted_to_m + lasts_s * (delay_s - lasts_s / 2.0) * acceleration_mps2,
-          velocity_mps + lasts_s * acceleration_mps2, acceleration_mps2};
+  return {.position_m = coasted_to_m + lasts_s * (delay_s - lasts_s / 2.0) * acceleration_mps2,
+          .velocity_mps = velocity_mps + lasts_s * acceleration_mps2,
+          .acceleration_mps2 = acceleration_mps2};
 }
 
 std::span<const Opponent> PresentOpponents::update(const WorldState& world, Team theirs, const ControlParams& params,
@@ -33,6 +34,7 @@ std::span<const Opponent> PresentOpponents::update(const WorldState& world, Team
   const double delay_s = planning_delay_s(world, params.drive_lag_s);
   accelerations_.update(world, theirs, dt_s, params.acceleration_filter_s,
                         std::max(params.limits.acceleration_max_mps2, params.limits.braking_max_mps2));
+  top_speed_.update(world, theirs, dt_s);
   const double lasts_s = std::min({delay_s, params.safety.acceleration_lasts_s, kLongestChange_s});
   opponents_.clear();
   for (const RobotState& robot : world.robots) {
@@ -41,6 +43,7 @@ std::span<const Opponent> PresentOpponents::update(const WorldState& world, Team
     const Vec2 coasted_to_m = robot.pose.position_m + params.drive_lag_s * robot.twist.velocity_mps;
     opponents_.push_back(
         accelerated(coasted_to_m, robot.twist.velocity_mps, accelerations_.of(robot.id), delay_s, lasts_s));
+    opponents_.back().speed_max_mps = top_speed_.mps();
   }
   return opponents_;
 }

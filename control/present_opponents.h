@@ -8,6 +8,7 @@
 #include "control/acceleration_estimate.h"
 #include "control/control_params.h"
 #include "control/safety/opponent.h"
+#include "control/top_speed.h"
 #include "world_model/types/world_state.h"
 
 namespace regista {
@@ -31,6 +32,7 @@ class PresentOpponents {
 
  private:
   AccelerationEstimate accelerations_;
+  TopSpeed top_speed_;
   std::vector<Opponent> opponents_;
 };
 

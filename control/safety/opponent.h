@@ -1,6 +1,8 @@
 // An opponent as the ways to avoid contact see it.
 #pragma once
 
+#include <limits>
+
 #include "world_model/types/geometry.h"
 
 namespace regista {
@@ -9,7 +11,8 @@ namespace regista {
 struct Opponent {
   Vec2 position_m = Vec2::Zero();
   Vec2 velocity_mps = Vec2::Zero();
-  Vec2 acceleration_mps2 = Vec2::Zero();  ///< estimated
+  Vec2 acceleration_mps2 = Vec2::Zero();                           ///< estimated
+  double speed_max_mps = std::numeric_limits<double>::infinity();  ///< what its team gets to; infinite: not known
 };
 
 }  // namespace regista

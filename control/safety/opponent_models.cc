@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "control/safety/expected_motion.h"
 #include "control/safety/separation.h"
 #include "world_model/types/crash_rule.h"
 
 namespace regista {
 namespace {
-
-/// cos² of the angle to straight back within which an acceleration is braking and no turn: 18°.
-constexpr double kStraight = 0.9;
 
 /// A touch of opponents later than this is not foreseen: until then they may turn.
 constexpr double kForeseen_s = 0.6;
@@ -22,9 +20,6 @@ constexpr double kJostledWithin_s = 0.2;
 constexpr double kJostledFrom_mps = 0.3;  ///< slower ones may stand in a wall, and vision shakes them
 constexpr double kJostledGrowth_mps = 0.2;
 
-/// Robots side by side that graze go where they would have gone. Less than this is noise.
-constexpr double kSlight_mps = 0.3;
-
 /// A crash that is so near to being our foul counts as one: by then a velocity is another one.
 constexpr double kNearlyFoul_mps = 0.4;
 /// What 1 m/s of a crash counts that is not our foul, against 1 for a foul.
@@ -35,36 +30,6 @@ constexpr double kAtHorizon = 0.5;
 /// Parts of an opponent's reaction among which the room left for it is rounded up.
 constexpr std::array kRooms{0.0, 1.0 / 16.0, 1.0 / 8.0, 1.0 / 4.0, 1.0 / 2.0, 3.0 / 4.0};
 constexpr double kUnasked_m = -1.0;
-
-Motion with(Motion motion, const Vec2& acceleration_mps2, double for_s) {
-  if (for_s > 0.0) motion.then(acceleration_mps2, for_s);
-  return motion;
-}
-
-/// An opponent that brakes is taken to go on until it stands; any other acceleration lasts for a while, and then it
-/// drives on. Who hits another one before goes on with it: what it wanted tells nothing any more.
-Motion expected_motion(const Opponent& opponent, const Touch& touch, double lasts_s, double horizon_s) {
-  const Vec2& velocity = opponent.velocity_mps;
-  const Vec2& acceleration = opponent.acceleration_mps2;
-  Motion motion(opponent.position_m, velocity);
-  const double against = -acceleration.dot(velocity);
-  const double speed2 = velocity.squaredNorm();
-  const bool brakes =
-      lasts_s > 0.0 && against > 0.0 && against * against > kStraight * acceleration.squaredNorm() * speed2;
-  const double touch_s = touch.change_mps.norm() > kSlight_mps ? touch.at_s : Touch{}.at_s;
-  if (brakes && speed2 < against * std::min(touch_s, horizon_s)) {
-    motion.then_stand(-(against / speed2) * velocity, speed2 / against);
-    return motion;
-  }
-  if (touch_s < horizon_s) {
-    motion = with(motion, Vec2::Zero(), touch_s);
-    motion.hit(touch.change_mps);
-    return with(motion, Vec2::Zero(), horizon_s - touch_s);
-  }
-  const double until_s = brakes ? horizon_s : std::min(lasts_s, horizon_s);
-  motion = with(motion, acceleration, until_s);
-  return with(motion, Vec2::Zero(), horizon_s - until_s);
-}
 
 /// Of two motions that come as near as the margin at that moment.
 double cost_of_touch(const Motion& ours, const Motion& theirs, double at_s) {
@@ -95,8 +60,9 @@ void OpponentModels::set(std::span<const Opponent> opponents, const RobotLimits&
     Model& model = models_.emplace_back();
     model.braking = braking(opponent.position_m, opponent.velocity_mps, 0.0,
                             params.braking_share * limits.braking_max_mps2, period_s);
-    model.expected = expected_motion(opponent, touch, params.acceleration_lasts_s, horizon_s_);
-    model.steady = with({opponent.position_m, opponent.velocity_mps}, Vec2::Zero(), horizon_s_);
+    model.expected = expected_motion(opponent, touch, params);
+    model.steady = Motion(opponent.position_m, opponent.velocity_mps);
+    model.steady.then(Vec2::Zero(), horizon_s_);
     const double speed = opponent.velocity_mps.norm();
     model.reaction_m = params.opponent_reaction_s * speed;
     const bool is_jostled = touch.at_s < kJostledWithin_s && speed > kJostledFrom_mps;

@@ -31,9 +31,8 @@ class OpponentModels {
   /// more than half of what is left between both when both brake. So two that brake for each other both come on. (On a
   /// line that is exact; in the plane nearly, and the margin takes up the rest.)
   bool is_clear_of_braking(const Motion& ours) const;
-  /// Of where each is expected: its acceleration lasts for a while, then it drives on; who brakes does until it stands;
-  /// who else is about to hit another opponent goes on with it. Up to the horizon, with gaps that grow meanwhile, more
-  /// for who drives and touches another one or is about to.
+  /// Of where each is expected (expected_motion.h) up to the horizon, with gaps that grow meanwhile, more for who
+  /// drives and touches another one or is about to.
   bool is_clear_of_expected(const Motion& ours, Care care = Care::margins) const;
   /// How bad the worst crash is that is expected: 0 where nobody is expected within the margin before the crash
   /// horizon, 1 and more for what would be our foul by the crash rule, by m/s the more the clearer it is; any other is

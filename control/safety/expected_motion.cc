@@ -1,0 +1,57 @@
+#include "control/safety/expected_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace regista {
+namespace {
+
+/// cos² of the angle to straight ahead or back within which an acceleration is no turn: 18°.
+constexpr double kStraight = 0.9;
+
+/// Robots side by side that graze go where they would have gone. Less than this is noise.
+constexpr double kSlight_mps = 0.3;
+
+Motion with(Motion motion, const Vec2& acceleration_mps2, double for_s) {
+  if (for_s > 0.0) motion.then(acceleration_mps2, for_s);
+  return motion;
+}
+
+bool is_straight(const Opponent& opponent) {
+  const double along = opponent.acceleration_mps2.dot(opponent.velocity_mps);
+  return along * along > kStraight * opponent.acceleration_mps2.squaredNorm() * opponent.velocity_mps.squaredNorm();
+}
+
+/// How long who does not brake goes on accelerating.
+double lasts_s(const Opponent& opponent, const SafetyParams& params) {
+  if (!is_straight(opponent) || !std::isfinite(opponent.speed_max_mps)) return params.acceleration_lasts_s;
+  const double to_top_mps = std::max(0.0, opponent.speed_max_mps - opponent.velocity_mps.norm());
+  return std::min(to_top_mps / opponent.acceleration_mps2.norm(), params.speeding_up_lasts_s);
+}
+
+}  // namespace
+
+Motion expected_motion(const Opponent& opponent, const Touch& touch, const SafetyParams& params) {
+  const double horizon_s = params.horizon_s;
+  const Vec2& velocity = opponent.velocity_mps;
+  const Vec2& acceleration = opponent.acceleration_mps2;
+  Motion motion(opponent.position_m, velocity);
+  const double against = -acceleration.dot(velocity);
+  const double speed2 = velocity.squaredNorm();
+  const bool brakes = params.acceleration_lasts_s > 0.0 && against > 0.0 && is_straight(opponent);
+  const double touch_s = touch.change_mps.norm() > kSlight_mps ? touch.at_s : Touch{}.at_s;
+  if (brakes && speed2 < against * std::min(touch_s, horizon_s)) {
+    motion.then_stand(-(against / speed2) * velocity, speed2 / against);
+    return motion;
+  }
+  if (touch_s < horizon_s) {
+    motion = with(motion, Vec2::Zero(), touch_s);
+    motion.hit(touch.change_mps);
+    return with(motion, Vec2::Zero(), horizon_s - touch_s);
+  }
+  const double until_s = brakes ? horizon_s : std::min(lasts_s(opponent, params), horizon_s);
+  motion = with(motion, acceleration, until_s);
+  return with(motion, Vec2::Zero(), horizon_s - until_s);
+}
+
+}  // namespace regista
