@@ -1,29 +1,34 @@
 #include "control/top_speed.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace regista {
 namespace {
 
-constexpr double kWatch_s = 0.5;  ///< by then who drives at all is near its speed
+/// Slower than this a team shows nothing: it may stand, or drive as in a stop.
+constexpr double kDrives_mps = 1.7;
+
+constexpr double kWatched_s = 0.5;  ///< by then who speeds up is near its top speed
 
 /// So a push to 1 m/s more than they drive by themselves counts for five seconds; of several robots that drive one is
-/// always at its speed.
+/// nearly always at its speed.
 constexpr double kForgotten_mps2 = 0.2;
-
-/// Robots of the league get to that at least: a team that is slow is being careful or is told to, as in a stop.
-constexpr double kLeast_mps = 2.0;
 
 }  // namespace
 
 void TopSpeed::update(const WorldState& world, Team team, double dt_s) {
-  watched_s_ += dt_s;
-  fastest_mps_ = std::max(kLeast_mps, fastest_mps_ - kForgotten_mps2 * dt_s);
+  double now_mps = 0.0;
   for (const RobotState& robot : world.robots) {
-    if (robot.id.team == team) fastest_mps_ = std::max(fastest_mps_, robot.twist.velocity_mps.norm());
+    if (robot.id.team == team) now_mps = std::max(now_mps, robot.twist.velocity_mps.norm());
   }
+  if (now_mps < kDrives_mps) return;
+  watched_s_ += dt_s;
+  fastest_mps_ = std::max(now_mps, fastest_mps_ - kForgotten_mps2 * dt_s);
 }
 
-double TopSpeed::mps() const { return watched_s_ >= kWatch_s ? fastest_mps_ : std::numeric_limits<double>::infinity(); }
+double TopSpeed::mps() const {
+  return watched_s_ >= kWatched_s ? fastest_mps_ : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace regista

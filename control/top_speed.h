@@ -1,8 +1,6 @@
 // How fast the robots of a team get, as far as they have shown it.
 #pragma once
 
-#include <limits>
-
 #include "world_model/types/world_state.h"
 
 namespace regista {
@@ -12,13 +10,12 @@ class TopSpeed {
   /// Looks at the robots of that team, dt_s > 0 after the last look.
   void update(const WorldState& world, Team team, double dt_s);
 
-  /// The fastest that any of them has been seen driving, in m/s, at least 2; infinite in the first half second, when
-  /// they may not have shown it yet. What is not seen again is forgotten by and by: it was a push, or a mistake of
-  /// vision.
+  /// The fastest that any of them has been seen driving, in m/s; infinite until one has driven fast for half a second.
+  /// What is not seen again while they do is forgotten by and by: it was a push, or a mistake of vision.
   double mps() const;
 
  private:
-  double watched_s_ = 0.0;
+  double watched_s_ = 0.0;  ///< while one drove fast
   double fastest_mps_ = 0.0;
 };
 

@@ -7,7 +7,7 @@ namespace regista {
 namespace {
 
 /// cos² of the angle to straight ahead or back within which an acceleration is no turn: 18°.
-constexpr double kStraight = 0.9;
+constexpr double kStraightCos2 = 0.9;
 
 /// Robots side by side that graze go where they would have gone. Less than this is noise.
 constexpr double kSlight_mps = 0.3;
@@ -17,16 +17,20 @@ Motion with(Motion motion, const Vec2& acceleration_mps2, double for_s) {
   return motion;
 }
 
-bool is_straight(const Opponent& opponent) {
-  const double along = opponent.acceleration_mps2.dot(opponent.velocity_mps);
-  return along * along > kStraight * opponent.acceleration_mps2.squaredNorm() * opponent.velocity_mps.squaredNorm();
+/// Along `way` or nearly.
+bool is_along(const Vec2& acceleration_mps2, const Vec2& way) {
+  const double along = acceleration_mps2.dot(way);
+  return along > 0.0 && along * along > kStraightCos2 * acceleration_mps2.squaredNorm() * way.squaredNorm();
 }
 
 /// How long who does not brake goes on accelerating.
 double lasts_s(const Opponent& opponent, const SafetyParams& params) {
-  if (!is_straight(opponent) || !std::isfinite(opponent.speed_max_mps)) return params.acceleration_lasts_s;
+  const Vec2& acceleration = opponent.acceleration_mps2;
+  if (!std::isfinite(opponent.speed_max_mps) || !is_along(acceleration, opponent.velocity_mps)) {
+    return params.acceleration_lasts_s;
+  }
   const double to_top_mps = std::max(0.0, opponent.speed_max_mps - opponent.velocity_mps.norm());
-  return std::min(to_top_mps / opponent.acceleration_mps2.norm(), params.speeding_up_lasts_s);
+  return std::min(to_top_mps / acceleration.norm(), params.speeding_up_lasts_s);
 }
 
 }  // namespace
@@ -38,7 +42,7 @@ Motion expected_motion(const Opponent& opponent, const Touch& touch, const Safet
   Motion motion(opponent.position_m, velocity);
   const double against = -acceleration.dot(velocity);
   const double speed2 = velocity.squaredNorm();
-  const bool brakes = params.acceleration_lasts_s > 0.0 && against > 0.0 && is_straight(opponent);
+  const bool brakes = params.acceleration_lasts_s > 0.0 && is_along(acceleration, -velocity);
   const double touch_s = touch.change_mps.norm() > kSlight_mps ? touch.at_s : Touch{}.at_s;
   if (brakes && speed2 < against * std::min(touch_s, horizon_s)) {
     motion.then_stand(-(against / speed2) * velocity, speed2 / against);

@@ -23,8 +23,8 @@ struct SafetyParams {
   /// than twice that is left, half of the rest is enough among those that do likewise; that gains 1 % of the pace.
   double opponent_reaction_s = 0.018;
   double acceleration_lasts_s = 0.3;  ///< from when commands act on, or until it stands: opponents'
-  /// The same of one that speeds up straight ahead, which ends at the speed its team has been seen to reach. Of
-  /// obstacles that turn round in the robot's way a third fewer are met than where this ends after 0.3 s at any speed.
+  /// The same of one that speeds up straight ahead, where its team's top speed is known, and at most to that. Obstacles
+  /// that turn round in the robot's way are met less often than where it is 0.3 s at any speed (`bench dynamic`).
   double speeding_up_lasts_s = 0.6;
   /// What is expected of an opponent errs the more, the later and the faster it moves: the margin grows by this share
   /// of the way it drives meanwhile, and by more while opponents jostle each other (opponent_models.cc). So what is
@@ -58,7 +58,7 @@ struct SafetyParams {
     v("opponent_reaction_s", self.opponent_reaction_s, Range{0.0, 1.0}, "s", "further margin per opponent's speed");
     v("acceleration_lasts_s", self.acceleration_lasts_s, Range{0.0, 2.0}, "s", "an opponent's acceleration lasts");
     v("speeding_up_lasts_s", self.speeding_up_lasts_s, Range{0.0, 2.0}, "s",
-      "likewise straight ahead, at most to its team's top speed");
+      "straight ahead for so long, to its team's top speed at most, where that is known");
     v("opponent_growth", self.opponent_growth, Range{0.0, 1.0}, "",
       "by this share of an opponent's way its margin grows");
     v("horizon_s", self.horizon_s, Range{0.01, 10.0}, "s", "opponents are predicted so far");

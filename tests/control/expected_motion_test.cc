@@ -1,7 +1,10 @@
 // What opponents are expected to do while they speed up: until their team's top speed, where that is known.
 #include "control/safety/expected_motion.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
 
 #include "tests/control/ideal_team.h"
 
@@ -49,15 +52,47 @@ TEST_CASE("where the top speed is not known, or in a turn, an acceleration lasts
   CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == Approx(std::hypot(1.5, across_mps)));
 }
 
-TEST_CASE("a top speed is nothing to who brakes, and nobody is expected to accelerate where that lasts no time") {
-  SafetyParams params;
+TEST_CASE("within 18 degrees of straight ahead it is speeding up, of straight back braking, else a turn") {
+  const SafetyParams params;
+  Opponent opponent{.velocity_mps = {1.5, 0.0}, .speed_max_mps = 1.5};
+  const auto later_mps = [&](double degrees) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    opponent.acceleration_mps2 = 3.0 * Vec2(std::cos(angle), std::sin(angle));
+    return speed_at(expected_motion(opponent, {}, params), 0.95);
+  };
+  for (const double side : {-1.0, 1.0}) {
+    CHECK(later_mps(side * 15.0) == 1.5);
+    CHECK(later_mps(side * 22.0) > 2.0);
+    CHECK(later_mps(side * 158.0) > 0.5);
+    CHECK(later_mps(side * 165.0) == 0.0);
+  }
+}
+
+TEST_CASE("a top speed is nothing to who brakes") {
   Opponent opponent{.velocity_mps = {1.5, 0.0}, .acceleration_mps2 = {-3.0, 0.0}, .speed_max_mps = 1.0};
-  CHECK(speed_at(expected_motion(opponent, {}, params), 0.25) == Approx(0.75));
-  CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == 0.0);
-  opponent.acceleration_mps2 = {3.0, 0.0};
-  opponent.speed_max_mps = 3.0;
+  CHECK(speed_at(expected_motion(opponent, {}, SafetyParams{}), 0.25) == Approx(0.75));
+  CHECK(speed_at(expected_motion(opponent, {}, SafetyParams{}), 0.9) == 0.0);
+}
+
+TEST_CASE("nobody is expected to accelerate or brake where that lasts no time") {
+  SafetyParams params;
+  params.acceleration_lasts_s = 0.0;
   params.speeding_up_lasts_s = 0.0;
+  Opponent opponent{.velocity_mps = {1.5, 0.0}, .speed_max_mps = 3.0};
+  for (const Vec2& acceleration : {Vec2(3.0, 0.0), Vec2(-3.0, 0.0), Vec2(0.0, 3.0)}) {
+    opponent.acceleration_mps2 = acceleration;
+    CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == 1.5);
+  }
+  params.speeding_up_lasts_s = 0.6;
+  opponent.acceleration_mps2 = {-3.0, 0.0};
   CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == 1.5);
+}
+
+TEST_CASE("who speeds up into another opponent does not speed up until then") {
+  Opponent opponent{.velocity_mps = {1.5, 0.0}, .acceleration_mps2 = {3.0, 0.0}, .speed_max_mps = 3.0};
+  const Motion motion = expected_motion(opponent, {.at_s = 0.3, .change_mps = {-1.0, 0.0}}, SafetyParams{});
+  CHECK(speed_at(motion, 0.29) == 1.5);
+  CHECK(speed_at(motion, 0.31) == Approx(0.5));
 }
 
 }  // namespace
