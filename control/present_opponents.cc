@@ -34,7 +34,7 @@ std::span<const Opponent> PresentOpponents::update(const WorldState& world, Team
   const double delay_s = planning_delay_s(world, params.drive_lag_s);
   accelerations_.update(world, theirs, dt_s, params.acceleration_filter_s,
                         std::max(params.limits.acceleration_max_mps2, params.limits.braking_max_mps2));
-  top_speed_.update(world, theirs, dt_s);
+  top_speed_.update(world, theirs, accelerations_, dt_s);
   const double lasts_s = std::min({delay_s, params.safety.acceleration_lasts_s, kLongestChange_s});
   opponents_.clear();
   for (const RobotState& robot : world.robots) {

@@ -9,6 +9,9 @@ namespace {
 /// Slower than this a team shows nothing: it may stand, or drive as in a stop.
 constexpr double kDrives_mps = 1.7;
 
+/// Who speeds up more than so has not got there yet.
+constexpr double kHeld_mps2 = 1.0;
+
 constexpr double kWatched_s = 0.5;  ///< by then who speeds up is near its top speed
 
 /// So a push to 1 m/s more than they drive by themselves counts for five seconds; of several robots that drive one is
@@ -17,10 +20,13 @@ constexpr double kForgotten_mps2 = 0.2;
 
 }  // namespace
 
-void TopSpeed::update(const WorldState& world, Team team, double dt_s) {
+void TopSpeed::update(const WorldState& world, Team team, const AccelerationEstimate& accelerations, double dt_s) {
   double now_mps = 0.0;
   for (const RobotState& robot : world.robots) {
-    if (robot.id.team == team) now_mps = std::max(now_mps, robot.twist.velocity_mps.norm());
+    if (robot.id.team != team) continue;
+    const Vec2& velocity = robot.twist.velocity_mps;
+    if (accelerations.of(robot.id).dot(velocity) > kHeld_mps2 * velocity.norm()) continue;
+    now_mps = std::max(now_mps, velocity.norm());
   }
   if (now_mps < kDrives_mps) return;
   watched_s_ += dt_s;

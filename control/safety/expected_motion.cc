@@ -9,6 +9,9 @@ namespace {
 /// cos² of the angle to straight ahead or back within which an acceleration is no turn: 18°.
 constexpr double kStraightCos2 = 0.9;
 
+/// Who is faster than its team has been seen to be by so much, and still speeds up, shows that it is not known yet.
+constexpr double kFaster_mps = 0.1;
+
 /// Robots side by side that graze go where they would have gone. Less than this is noise.
 constexpr double kSlight_mps = 0.3;
 
@@ -29,8 +32,9 @@ double lasts_s(const Opponent& opponent, const SafetyParams& params) {
   if (!std::isfinite(opponent.speed_max_mps) || !is_along(acceleration, opponent.velocity_mps)) {
     return params.acceleration_lasts_s;
   }
-  const double to_top_mps = std::max(0.0, opponent.speed_max_mps - opponent.velocity_mps.norm());
-  return std::min(to_top_mps / acceleration.norm(), params.speeding_up_lasts_s);
+  const double to_top_mps = opponent.speed_max_mps - opponent.velocity_mps.norm();
+  if (to_top_mps < -kFaster_mps) return params.acceleration_lasts_s;
+  return std::min(std::max(0.0, to_top_mps) / acceleration.norm(), params.speeding_up_lasts_s);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_CASE("who speeds up straight ahead does so to its team's top speed and no f
   for (int i = 0; i < 500; ++i) {
     Opponent opponent{.position_m = dice.point(3.0, 3.0), .velocity_mps = dice.point(2.0, 2.0)};
     const double speed = opponent.velocity_mps.norm();
-    if (speed < 0.1) continue;
+    if (speed < 0.1 || speed > 2.05) continue;
     const double acceleration = 0.5 + dice.point(2.0, 2.0).norm();
     opponent.acceleration_mps2 = acceleration / speed * opponent.velocity_mps;
     opponent.speed_max_mps = 2.0;
@@ -44,6 +44,8 @@ TEST_CASE("who speeds up straight ahead does so to its team's top speed and no f
 TEST_CASE("where the top speed is not known, or in a turn, an acceleration lasts as long as any") {
   const SafetyParams params;
   Opponent opponent{.velocity_mps = {1.5, 0.0}, .acceleration_mps2 = {3.0, 0.0}};
+  CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == Approx(1.5 + 3.0 * params.acceleration_lasts_s));
+  opponent.speed_max_mps = 1.3;  // it proves that wrong
   CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == Approx(1.5 + 3.0 * params.acceleration_lasts_s));
   opponent.speed_max_mps = 1.6;
   CHECK(speed_at(expected_motion(opponent, {}, params), 0.9) == Approx(1.6));

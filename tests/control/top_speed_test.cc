@@ -21,37 +21,60 @@ WorldState two_teams(double blue_mps, double yellow_mps) {
   return world;
 }
 
-void watch(TopSpeed& top, const WorldState& world, double for_s) {
-  for (int tick = 0; tick < std::lround(for_s / 0.01); ++tick) top.update(world, Team::blue, 0.01);
-}
+struct Watched {
+  TopSpeed top;
+  AccelerationEstimate accelerations;
+  void look(const WorldState& world) {
+    accelerations.update(world, Team::blue, 0.01, 0.05, 4.0);
+    top.update(world, Team::blue, accelerations, 0.01);
+  }
+  void look(const WorldState& world, double for_s) {
+    for (int tick = 0; tick < std::lround(for_s / 0.01); ++tick) look(world);
+  }
+};
 
 }  // namespace
 
 TEST_CASE("a team's top speed is that of its fastest, known after half a second of driving") {
-  TopSpeed top;
-  watch(top, {}, 1.0);
-  watch(top, two_teams(1.5, 3.0), 1.0);
-  CHECK(std::isinf(top.mps()));
-  watch(top, two_teams(2.5, 3.0), 0.4);
-  CHECK(std::isinf(top.mps()));
-  watch(top, two_teams(2.5, 3.0), 0.2);
-  CHECK(top.mps() == Approx(2.5));
+  Watched seen;
+  seen.look({}, 1.0);
+  seen.look(two_teams(1.5, 3.0), 1.0);
+  CHECK(std::isinf(seen.top.mps()));
+  seen.look(two_teams(2.5, 3.0), 0.4);
+  CHECK(std::isinf(seen.top.mps()));
+  seen.look(two_teams(2.5, 3.0), 0.3);
+  CHECK(seen.top.mps() == Approx(2.5));
 }
 
 TEST_CASE("what is not seen again is forgotten, but no further than what is seen still") {
-  TopSpeed top;
-  watch(top, two_teams(3.0, 0.0), 1.0);
-  watch(top, two_teams(2.3, 0.0), 2.0);
-  CHECK(top.mps() == Approx(2.6));
-  watch(top, two_teams(2.3, 0.0), 10.0);
-  CHECK(top.mps() == Approx(2.3));
+  Watched seen;
+  seen.look(two_teams(3.0, 0.0), 1.0);
+  seen.look(two_teams(2.3, 0.0), 2.0);
+  CHECK(seen.top.mps() == Approx(2.6));
+  seen.look(two_teams(2.3, 0.0), 10.0);
+  CHECK(seen.top.mps() == Approx(2.3));
 }
 
 TEST_CASE("while a team stands or drives as in a stop nothing is forgotten") {
-  TopSpeed top;
-  watch(top, two_teams(3.0, 0.0), 1.0);
-  watch(top, two_teams(1.5, 3.0), 60.0);
-  CHECK(top.mps() == Approx(3.0));
+  Watched seen;
+  seen.look(two_teams(3.0, 0.0), 1.0);
+  seen.look(two_teams(1.5, 3.0), 60.0);
+  CHECK(seen.top.mps() == Approx(3.0));
+}
+
+TEST_CASE("who still speeds up has not shown its top speed") {
+  Watched seen;
+  const auto speed_up = [&] {
+    for (int tick = 0; tick <= 100; ++tick) seen.look(two_teams(0.02 * tick + 0.9, 0.0));
+  };
+  speed_up();
+  CHECK(std::isinf(seen.top.mps()));
+  seen.look(two_teams(2.0, 0.0), 1.0);
+  CHECK(seen.top.mps() == Approx(2.0));
+  speed_up();
+  CHECK(seen.top.mps() == Approx(2.0));
+  seen.look(two_teams(2.9, 0.0), 0.5);
+  CHECK(seen.top.mps() == Approx(2.9));
 }
 
 TEST_CASE("of an opponent is said what its own team has shown") {
