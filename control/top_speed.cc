@@ -12,7 +12,7 @@ constexpr double kDrives_mps = 1.7;
 /// Who speeds up more than so has not got there yet.
 constexpr double kHeld_mps2 = 1.0;
 
-constexpr double kWatched_s = 0.5;  ///< by then who speeds up is near its top speed
+constexpr double kWatched_s = 0.5;  ///< a look alone may be a mistake of vision
 
 /// So a push to 1 m/s more than they drive by themselves counts for five seconds; of several robots that drive one is
 /// nearly always at its speed.
